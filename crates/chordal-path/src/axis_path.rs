@@ -38,8 +38,9 @@ pub fn tip_pieces(kind: &CommandKind, motion: &Move, mut push: impl FnMut(&Curve
         let share = if index == last || whole <= 0.0 { 1.0 } else { done / whole };
         let mut to = motion.to;
         to[..3].copy_from_slice(&curve.end().to_array());
-        for axis in 3..to.len() {
-            to[axis] = motion.from[axis] * (1.0 - share) + motion.to[axis] * share;
+        let turns = to.iter_mut().zip(motion.from.iter().zip(&motion.to)).skip(3);
+        for (angle, (start, end)) in turns {
+            *angle = start * (1.0 - share) + end * share;
         }
         push(curve, [&from, &to]);
         from = to;

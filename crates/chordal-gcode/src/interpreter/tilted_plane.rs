@@ -66,12 +66,12 @@ impl Interpreter<'_> {
             },
             Some(4) => two_projections(angles),
             _ => {
-                let word = block.last(b'P').unwrap_or(&block.words[at]);
-                return self.not_followed(&word.clone(), "another way to define the plane");
+                let word = *block.last(b'P').unwrap_or(&block.words[at]);
+                return self.not_followed(&word, "another way to define the plane");
             }
         };
         let Some(rotation) = rotation else {
-            let word = block.words[at].clone();
+            let word = block.words[at];
             return self.not_followed(&word, "a plane without a direction");
         };
         let origin = self.axis_words(block);

@@ -195,9 +195,9 @@ impl TravelWatcher {
                 return;
             };
             let bounds = path.bounds(0.0, 1.0, SHOWN_TOLERANCE_MM);
-            for axis in 0..3 {
-                self.machine[axis].take(bounds[axis].0);
-                self.machine[axis].take(bounds[axis].1);
+            for (range, (low, high)) in self.machine.iter_mut().zip(bounds).take(3) {
+                range.take(low);
+                range.take(high);
             }
         });
     }

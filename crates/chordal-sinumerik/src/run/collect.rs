@@ -61,14 +61,10 @@ impl Interpreter<'_> {
                     self.check_call_alone(block, statement.range, "a call");
                     return Some(self.call_l(block, statement.range));
                 }
+                StatementKind::Name(name) if name == "SETMS" => self.choose_master_spindle(None),
                 StatementKind::Name(name)
                     if IGNORED_CALLS.contains(&name.as_str())
-                        && self.programs.find_name(name).is_none() =>
-                {
-                    if name == "SETMS" {
-                        self.choose_master_spindle(None);
-                    }
-                }
+                        && self.programs.find_name(name).is_none() => {}
                 StatementKind::Name(name) if !is_known_name(name) => {
                     let is_alone = block.statements.len() == 1;
                     if self.programs.find_name(name).is_none() && !self.is_cycle(name) && !is_alone

@@ -35,10 +35,8 @@ impl Interpreter<'_> {
         match name {
             "TRANSMIT" => self.begin_face(range),
             "TRACYL" => self.begin_cylinder(numbers.first().copied().flatten(), range),
-            "TRAORI" => {
-                if self.needs_rotary_axis(name, &[Axis::A, Axis::B, Axis::C], range) {
-                    self.begin_tool_center(name, range);
-                }
+            "TRAORI" if self.needs_rotary_axis(name, &[Axis::A, Axis::B, Axis::C], range) => {
+                self.begin_tool_center(name, range);
             }
             "TRAANG" => self.not_followed(range, "TRAANG, the inclined axis, is not followed"),
             _ => {}
