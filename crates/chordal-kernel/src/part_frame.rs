@@ -4,6 +4,7 @@
 use std::sync::Arc;
 
 use chordal_command::{AxisMask, CommandKind, PartFrame, Position, ProgramOffsets};
+use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Transform, Vec3};
 use chordal_kinematics::{KinematicChain, SolutionRule};
 use chordal_machine::TcpFrame;
@@ -77,8 +78,7 @@ impl State {
     }
 
     /// After a move in a frame of the part: every linear axis may have moved, and is known where all are.
-    #[cold]
-    pub(crate) fn place_axes_of_tip(&mut self) {
+    fn place_axes_of_tip(&mut self) {
         let Some(frame) = &self.part_frame else { return };
         let known = self.frames.map().known(self.known);
         let place = self.work_position();
@@ -186,7 +186,13 @@ impl Kernel<'_> {
                 return Err(error);
             }
         };
-        let paused = if holds_tip { None } else { self.suspend_part_frame() };
+        let paused = match holds_tip {
+            true => {
+                self.set_part_frame(true, frame.plane);
+                Some(Arc::clone(&frame)).filter(|frame| !frame.follows_tip)
+            }
+            false => self.suspend_part_frame(),
+        };
         let mut target = self.state.position;
         let mut named = AxisMask::NONE;
         let chain = frame.chain.iter().flat_map(|chain| chain.joints());
@@ -196,9 +202,25 @@ impl Kernel<'_> {
         }
         self.rapid_to(target, named);
         if let Some(frame) = paused {
+            self.suspend_part_frame();
             self.resume_part_frame(frame);
         }
         Ok(())
+    }
+
+    /// After a move in a frame of the part, from a position. Without tool centre point control nobody says what a control
+    /// does where a rotary axis turns in a tilted plane.
+    #[cold]
+    pub(crate) fn moved_on_part(&mut self, from: &Position) {
+        let state = &self.state;
+        let turns = from[3..] != state.position[3..];
+        if turns && state.part_frame.as_ref().is_some_and(|frame| !frame.follows_tip) {
+            let what = "a rotary axis turns in a tilted plane: where the tip goes is not followed";
+            let help = "end the plane before, or turn to it with G53.1";
+            let diagnostic = Diagnostic::new(Code::NotFollowed, self.origin.span, what);
+            self.report(diagnostic.label("from here on the path is not known").help(help));
+        }
+        self.state.place_axes_of_tip();
     }
 
     /// The program positions of A, B and C, rad, with which the tool points along a vector of program coordinates.

@@ -387,6 +387,10 @@ fn wrong_uses_of_tilted_planes() {
     has("G68.2 P1 Q122 X0 Y0 Z0 I0 J30. K0", "PS5457");
     // A turns from -30 to 120 degrees only: a plane whose normal points down is out of reach.
     has("G68.2 X0 Y0 Z0 I0 J170. K0\nG53.1", "PS5459");
+    // A rotary axis that turns in the plane: nobody says where the tip goes.
+    let text = format!("{UP}G68.2 X0 Y0 Z0 I0 J30. K0\nG1 X5. C10. F500.\nM30\n");
+    let report = job(machine(TRUNNION), &text).check();
+    assert!(!report.is_path_verified(), "{:?}", report.diagnostics);
     // After G69 there is none.
     has("G68.2 X0 Y0 Z0 I0 J30. K0\nG53.1\nG69\nG53.1", "PS5458");
 }

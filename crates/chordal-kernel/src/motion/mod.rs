@@ -143,7 +143,7 @@ impl Kernel<'_> {
         self.state.control_position = None;
         let from = std::mem::replace(&mut self.state.position, target);
         if self.state.part_frame.is_some() {
-            self.state.place_axes_of_tip();
+            self.moved_on_part(&from);
         }
         Move { from, to: target, from_known, to_known: self.state.known }
     }
