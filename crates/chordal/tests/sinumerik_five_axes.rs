@@ -103,6 +103,16 @@ fn cycle800_turns_the_plane_and_the_tables() {
 }
 
 #[test]
+fn save_gives_the_plane_of_the_caller_back() {
+    let sub = "%_N_SIDE_SPF\nPROC SIDE SAVE\nCYCLE800(0,\"TABLE\",0,57,0,0,0,30,0,0,0,0,0,0,,1)\nG1 Z30 F500\nRET\n";
+    let text = format!("%_N_PART_MPF\n{HEAD}G0 Z100\nSIDE\nG1 X10 Y5 Z2 F500\nM30\n{sub}");
+    let mut tip = [f64::NAN; 3];
+    job(&text, MACHINE)
+        .path(|segment| tip = chordal::geometry::ParamCurve::end(&segment.curve).to_array());
+    assert_eq!(tip, [10.0, 5.0, 2.0]);
+}
+
+#[test]
 fn without_rotary_axes_the_time_is_not_verified() {
     let text = format!("{HEAD}TRAORI\nG1 X30 Y0 Z20 F500\nTRAFOOF\nM30\n").replace(" A0 C0", "");
     let unknown = MACHINE

@@ -327,6 +327,7 @@ impl Interpreter<'_> {
         SavedModes {
             modes: self.modes.clone(),
             plane: state.plane,
+            tilted_plane: self.kernel.tilted_plane(),
             units: state.units,
             incremental: state.incremental,
             feed_mode: state.feed_mode,
@@ -343,6 +344,9 @@ impl Interpreter<'_> {
             LanguageModes { has_jumped_back, edge, unknown_tool, master_spindle, ..saved.modes };
         let feed = self.kernel.state.feed;
         self.kernel.set_plane(span, saved.plane);
+        if self.kernel.tilted_plane() != saved.tilted_plane {
+            self.kernel.set_tilted_plane(saved.tilted_plane);
+        }
         self.kernel.set_units(saved.units);
         self.kernel.set_incremental(saved.incremental);
         if self.kernel.state.feed_mode != saved.feed_mode {

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use chordal_command::{CallPath, FeedMode, Units, WorkName};
 use chordal_diagnostics::TextRange;
-use chordal_geometry::{Plane, TurnDirection};
+use chordal_geometry::{Plane, Transform, TurnDirection};
 use chordal_kernel::frames::FrameMap;
 use chordal_kernel::{EndReason, PathState};
 
@@ -164,6 +164,8 @@ pub struct SavedModes {
     pub modes: LanguageModes,
     /// G17, G18, G19.
     pub plane: Plane,
+    /// The plane that CYCLE800 has tilted on a machine with rotary axes.
+    pub tilted_plane: Transform,
     /// G70, G71.
     pub units: Units,
     /// G90, G91.
