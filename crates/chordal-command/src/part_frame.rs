@@ -1,7 +1,7 @@
 //! Coordinates in a frame that is fixed to the part: tool centre point control, tilted planes.
 
 use chordal_geometry::{Curve, ParamCurve, Transform, Vec3};
-use chordal_kinematics::{JointPath, JointSide, KinematicChain, TipJet, TipPath};
+use chordal_kinematics::{JointPath, KinematicChain, RotaryMount, TipJet, TipMotion};
 
 use crate::axes::Position;
 
@@ -41,6 +41,11 @@ impl ProgramOffsets {
         Vec3::new(values[0], values[1], values[2])
     }
 
+    /// What is added to X, Y and Z in all, mm.
+    pub fn total(&self) -> Vec3 {
+        ProgramOffsets::linear(&self.work) + ProgramOffsets::linear(&self.tool)
+    }
+
     /// The vector from the gauge point to the tip with the heads at zero.
     fn tool_vector(&self) -> Vec3 {
         -ProgramOffsets::linear(&self.tool)
@@ -56,7 +61,7 @@ impl PartFrame {
         let on_part =
             self.part_zero(chain).apply_point(on_work + ProgramOffsets::linear(&offsets.work));
         let gauge_point = chain.gauge_point(on_part, &offsets.angles(tip), offsets.tool_vector());
-        with_linear(tip, gauge_point - all_offsets(offsets))
+        with_linear(tip, gauge_point - offsets.total())
     }
 
     /// The position of the tip in program coordinates from those of the axes without the offsets: the inverse of
@@ -66,7 +71,7 @@ impl PartFrame {
         let Some(chain) = &self.chain else {
             return with_linear(axes, to_plane.apply_point(ProgramOffsets::linear(axes)));
         };
-        let gauge_point = ProgramOffsets::linear(axes) + all_offsets(offsets);
+        let gauge_point = ProgramOffsets::linear(axes) + offsets.total();
         let pose = chain.pose(gauge_point, &offsets.angles(axes), offsets.tool_vector());
         let on_part = self.part_zero(chain).inverse().apply_point(pose.tip);
         with_linear(axes, to_plane.apply_point(on_part - ProgramOffsets::linear(&offsets.work)))
@@ -81,8 +86,8 @@ impl PartFrame {
             Some(chain) => chain.joints().iter().all(|joint| {
                 let index = joint.letter.index();
                 let aligned = match joint.side {
-                    JointSide::Table => self.frame_angles[index],
-                    JointSide::Head => 0.0,
+                    RotaryMount::Table => self.frame_angles[index],
+                    RotaryMount::Head => 0.0,
                 };
                 angles[index] == aligned
             }),
@@ -139,7 +144,7 @@ pub struct TipCurve {
     pub length_mm: f64,
 }
 
-impl TipPath for TipCurve {
+impl TipMotion for TipCurve {
     fn tip(&self, sigma: f64) -> TipJet {
         let along = sigma * self.length_mm;
         let second = self.length_mm * self.length_mm;
@@ -160,10 +165,6 @@ impl TipPath for TipCurve {
         };
         (self.length_mm, second)
     }
-}
-
-fn all_offsets(offsets: &ProgramOffsets) -> Vec3 {
-    ProgramOffsets::linear(&offsets.work) + ProgramOffsets::linear(&offsets.tool)
 }
 
 fn with_linear(place: &Position, linear: Vec3) -> Position {

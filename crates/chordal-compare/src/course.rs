@@ -97,8 +97,8 @@ pub(crate) struct MoveState {
     pub(crate) overrides: Overrides,
     /// The rotating surface of polar or cylindrical interpolation.
     pub(crate) surface: Option<RotarySurface>,
-    /// Coordinates are those of the tip on the part (tool centre point control).
-    pub(crate) follows_tip: bool,
+    /// Coordinates are those of the tip on the part (tool centre point control, a tilted plane).
+    pub(crate) on_part: bool,
     /// The block delete switch that can skip the block.
     pub(crate) deletable: Option<BlockDeleteUse>,
 }
@@ -292,7 +292,7 @@ impl<'j> RunRecorder<'j> {
             path_mode: PathMode::Continuous { tolerance_mm: None, joined: false },
             overrides: Overrides::ON,
             surface: None,
-            follows_tip: false,
+            on_part: false,
             deletable: None,
         };
         RunRecorder {
@@ -449,8 +449,8 @@ impl<'j> RunRecorder<'j> {
             Kind::PathMode(mode) => self.now.path_mode = *mode,
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
             Kind::Surface { surface, .. } => self.now.surface = *surface,
-            Kind::PartFrame { frame, .. } => self.now.follows_tip = frame.is_some(),
-            Kind::End => (self.now.surface, self.now.follows_tip) = (None, false),
+            Kind::PartFrame { frame, .. } => self.now.on_part = frame.is_some(),
+            Kind::End => (self.now.surface, self.now.on_part) = (None, false),
             // The effects of these are in the moves.
             Kind::Rapid { .. }
             | Kind::Line { .. }

@@ -393,8 +393,8 @@ fn surface_value(surface: Option<RotarySurface>) -> DifferenceValue {
     })
 }
 
-fn coordinates_text(follows_tip: bool) -> String {
-    match follows_tip {
+fn coordinates_text(on_part: bool) -> String {
+    match on_part {
         true => "coordinates of the tip on the part".into(),
         false => "coordinates of the axes".into(),
     }
@@ -487,8 +487,8 @@ fn differences(
         (
             Category::Rotary,
             of(
-                a.follows_tip != b.follows_tip,
-                [a, b].map(|state| DifferenceValue::Text(coordinates_text(state.follows_tip))),
+                a.on_part != b.on_part,
+                [a, b].map(|state| DifferenceValue::Text(coordinates_text(state.on_part))),
             ),
         ),
         (

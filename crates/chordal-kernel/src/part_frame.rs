@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use chordal_command::{AxisMask, CommandKind, PartFrame, Position, ProgramOffsets};
-use chordal_diagnostics::{Code, Diagnostic};
+use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::{Transform, Vec3};
 use chordal_kinematics::{KinematicChain, SolutionRule};
 use chordal_machine::TcpFrame;
@@ -153,8 +153,27 @@ impl Kernel<'_> {
         self.resume_part_frame(Arc::new(PartFrame { chain, frame_angles, plane, follows_tip }));
     }
 
-    /// Leaves the frame for a move of the axes themselves, such as to a reference point; what was in force.
-    pub(crate) fn suspend_part_frame(&mut self) -> Option<Arc<PartFrame>> {
+    /// Makes moves of the axes themselves, such as to a reference point, outside of a frame that is in force.
+    pub(crate) fn by_axes(&mut self, moves: impl FnOnce(&mut Self)) {
+        let frame = self.suspend_part_frame();
+        moves(self);
+        if let Some(frame) = frame {
+            self.resume_part_frame(frame);
+        }
+    }
+
+    /// Says that the tip is followed and the axes are not, and why.
+    pub fn report_no_kinematics(&mut self, at: Span, name: &str, why: &str) {
+        let message =
+            format!("{name}: where X, Y and Z are while rotary axes turn is not known: {why}");
+        let diagnostic = Diagnostic::new(Code::KinematicsNotKnown, at, message)
+            .label("the tip is followed; travel and time are not")
+            .help("give the rotary axes in the machine file; see `chordal explain CH448`");
+        self.report(diagnostic);
+    }
+
+    /// Leaves the frame; what was in force.
+    fn suspend_part_frame(&mut self) -> Option<Arc<PartFrame>> {
         self.state.part_frame.as_ref()?;
         self.end_corner_before("the coordinates change before the next move");
         let frame = self.state.leave_part_frame();
@@ -163,7 +182,7 @@ impl Kernel<'_> {
     }
 
     /// Enters a frame, or goes on in it after such a move.
-    pub(crate) fn resume_part_frame(&mut self, frame: Arc<PartFrame>) {
+    fn resume_part_frame(&mut self, frame: Arc<PartFrame>) {
         self.state.enter_part_frame(Arc::clone(&frame));
         let position = self.state.position;
         self.emit(CommandKind::PartFrame { frame: Some(frame), position });

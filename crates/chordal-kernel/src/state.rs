@@ -278,7 +278,7 @@ pub struct State {
     pub polar: Option<PolarReading>,
     /// The surface of polar or cylindrical interpolation; `None` when inactive.
     pub surface: Option<SurfaceState>,
-    /// Tool centre point control; `None` when coordinates are those of the axes.
+    /// The frame of the part (tool centre point control, a tilted plane); `None` when coordinates are those of the axes.
     pub part_frame: Option<Arc<PartFrame>>,
     /// Units of the program.
     pub units: Units,
@@ -456,8 +456,8 @@ impl State {
     pub fn shift_coordinates(&mut self, change: impl FnOnce(&mut Offsets)) {
         let part_frame = self.leave_part_frame();
         self.shift_axes(change);
-        if let Some(control) = part_frame {
-            self.enter_part_frame(control);
+        if let Some(frame) = part_frame {
+            self.enter_part_frame(frame);
         }
     }
 

@@ -4,7 +4,7 @@ use core::fmt;
 
 use chordal_geometry::{Transform, Vec3};
 
-use crate::joint::{JointAngles, JointSide, RotaryJoint, RotaryLetter};
+use crate::joint::{JointAngles, RotaryJoint, RotaryLetter, RotaryMount};
 use crate::math;
 
 /// The largest number of rotary axes of a chain.
@@ -130,7 +130,7 @@ impl KinematicChain {
             if first.letter == second.letter {
                 return Err(ChainError::SameLetter { letter: first.letter });
             }
-            if (first.side, second.side) == (JointSide::Head, JointSide::Table) {
+            if (first.side, second.side) == (RotaryMount::Head, RotaryMount::Table) {
                 let (head, table) = (first.letter, second.letter);
                 return Err(ChainError::HeadBeforeTable { head, table });
             }
@@ -170,12 +170,12 @@ impl KinematicChain {
 
     /// The tables, in order from the part to the linear axes.
     pub(crate) fn tables(&self) -> impl DoubleEndedIterator<Item = &RotaryJoint> {
-        self.joints().iter().filter(|joint| joint.side == JointSide::Table)
+        self.joints().iter().filter(|joint| joint.side == RotaryMount::Table)
     }
 
     /// The heads, in order from the linear axes to the tool.
     pub(crate) fn heads(&self) -> impl DoubleEndedIterator<Item = &RotaryJoint> {
-        self.joints().iter().filter(|joint| joint.side == JointSide::Head)
+        self.joints().iter().filter(|joint| joint.side == RotaryMount::Head)
     }
 
     /// The unit vector from the tip of the tool to its holder with every rotary axis at zero.

@@ -58,7 +58,7 @@ pub type JointAngles = [f64; 3];
 
 /// What a rotary axis carries.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum JointSide {
+pub enum RotaryMount {
     /// The part: it stands between the part and the linear axes.
     Table,
     /// The tool: it stands between the linear axes and the tool.
@@ -132,7 +132,7 @@ pub struct RotaryJoint {
     /// The letter of its axis.
     pub letter: RotaryLetter,
     /// Whether it carries the part or the tool.
-    pub side: JointSide,
+    pub side: RotaryMount,
     /// The direction of its axis with every rotary axis at zero; of any length above zero.
     pub direction: Vec3,
     /// A point on its axis with every rotary axis at zero, mm: in machine coordinates for a table, from the gauge point
@@ -152,7 +152,7 @@ impl RotaryJoint {
     pub const fn table(letter: RotaryLetter, point: Vec3) -> Self {
         Self {
             letter,
-            side: JointSide::Table,
+            side: RotaryMount::Table,
             direction: letter.direction(),
             point,
             reversed: false,
@@ -164,7 +164,7 @@ impl RotaryJoint {
     /// A head that turns about the axis of its letter through a point relative to the gauge point (mm), without limits.
     #[must_use]
     pub const fn head(letter: RotaryLetter, point: Vec3) -> Self {
-        Self { side: JointSide::Head, ..Self::table(letter, point) }
+        Self { side: RotaryMount::Head, ..Self::table(letter, point) }
     }
 
     /// The same axis with another direction.

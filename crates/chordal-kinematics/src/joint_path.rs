@@ -13,7 +13,7 @@ use crate::math;
 const BOUND_ROUNDING: f64 = 16.0 * f64::EPSILON;
 
 /// The path of the tip of a tool in part coordinates, by a parameter σ.
-pub trait TipPath {
+pub trait TipMotion {
     /// The point at σ with its derivatives.
     fn tip(&self, sigma: f64) -> TipJet;
 
@@ -30,7 +30,7 @@ pub struct TipLine {
     pub to: Vec3,
 }
 
-impl TipPath for TipLine {
+impl TipMotion for TipLine {
     fn tip(&self, sigma: f64) -> TipJet {
         let (point, first) = (self.from.lerp(self.to, sigma), self.to - self.from);
         TipJet { point, first, second: Vec3::ZERO }
@@ -89,7 +89,7 @@ impl MotionBound {
     }
 }
 
-impl<P: TipPath> JointPath<P> {
+impl<P: TipMotion> JointPath<P> {
     /// The angles at σ with their derivatives.
     #[must_use]
     pub fn angles(&self, sigma: f64) -> AngleJet {

@@ -31,7 +31,7 @@
 //! | describe a machine | [`RotaryJoint`], [`KinematicChain`], [`linuxcnc`] |
 //! | get the tip and the direction of the tool from the axes | [`KinematicChain::pose`] |
 //! | get the axes from them | [`KinematicChain::joint_solutions`], [`KinematicChain::choose`], [`KinematicChain::gauge_point`] |
-//! | follow a path with the tip | [`JointPath`], [`TipPath`] |
+//! | follow a path with the tip | [`JointPath`], [`TipMotion`] |
 //! | bound the positions of the axes on it | [`JointPath::bounds`] |
 //! | see how far the tip leaves its line if the axes run straight | [`KinematicChain::straight_deviation`] |
 //! | turn the tool along a great circle | [`OrientationArc`] |
@@ -55,6 +55,6 @@ pub use chain::{ChainError, KinematicChain, MAX_JOINTS, ToolPose};
 pub use choice::{AngleSign, ChoiceError, SolutionRule};
 pub use inverse::{AxisPositions, DirectionError, JointSolution, JointSolutions};
 pub use jet::{AngleJet, AxisJet, TipJet};
-pub use joint::{JointAngles, JointSide, RolloverRule, RotaryJoint, RotaryLetter};
-pub use joint_path::{JointPath, TipLine, TipPath};
+pub use joint::{JointAngles, RolloverRule, RotaryJoint, RotaryLetter, RotaryMount};
+pub use joint_path::{JointPath, TipLine, TipMotion};
 pub use orientation_arc::{OrientationArc, OrientationError};

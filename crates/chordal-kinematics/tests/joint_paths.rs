@@ -5,7 +5,7 @@ mod common;
 use chordal_geometry::Vec3;
 use chordal_kinematics::{
     AngleJet, AxisJet, AxisPositions, JointAngles, JointPath, KinematicChain, RotaryJoint,
-    RotaryLetter, TipJet, TipLine, TipPath,
+    RotaryLetter, TipJet, TipLine, TipMotion,
 };
 use common::{RandomNumbers, chain, degrees};
 
@@ -18,7 +18,7 @@ struct TipHelix {
     rise_mm: f64,
 }
 
-impl TipPath for TipHelix {
+impl TipMotion for TipHelix {
     fn tip(&self, sigma: f64) -> TipJet {
         let (sin, cos) = (self.turn * sigma).sin_cos();
         let (out, along) = (Vec3::new(cos, sin, 0.0), Vec3::new(-sin, cos, 0.0));
@@ -40,7 +40,7 @@ fn random_chain(random: &mut RandomNumbers, kind: u32) -> KinematicChain {
         RotaryJoint::table(letter, random.point(400.0)).along(random.direction())
     };
     let head =
-        |joint: RotaryJoint| RotaryJoint { side: chordal_kinematics::JointSide::Head, ..joint };
+        |joint: RotaryJoint| RotaryJoint { side: chordal_kinematics::RotaryMount::Head, ..joint };
     let (first, second) = (joint(random, RotaryLetter::C), joint(random, RotaryLetter::B));
     match kind % 5 {
         0 => chain(&[first, second.turned_around()]),

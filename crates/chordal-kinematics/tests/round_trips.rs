@@ -207,7 +207,7 @@ fn random_chains() {
     let mut count = [0, 0];
     for _ in 0..20_000 {
         let head = |joint: RotaryJoint| match random_choice(joint.point) {
-            true => RotaryJoint { side: chordal_kinematics::JointSide::Head, ..joint },
+            true => RotaryJoint { side: chordal_kinematics::RotaryMount::Head, ..joint },
             false => joint,
         };
         let joints = [

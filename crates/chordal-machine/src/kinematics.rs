@@ -1,7 +1,7 @@
 //! The rotary axes of a machine as a kinematic chain.
 
 use chordal_geometry::Vec3;
-use chordal_kinematics::{ChainError, JointSide, KinematicChain, RotaryJoint, RotaryLetter};
+use chordal_kinematics::{ChainError, KinematicChain, RotaryJoint, RotaryLetter, RotaryMount};
 
 use crate::axis::Axis;
 use crate::machine::{Machine, RotaryTarget};
@@ -113,8 +113,8 @@ impl Machine {
         Ok(RotaryJoint {
             letter,
             side: match target {
-                RotaryTarget::Table => JointSide::Table,
-                RotaryTarget::Head => JointSide::Head,
+                RotaryTarget::Table => RotaryMount::Table,
+                RotaryTarget::Head => RotaryMount::Head,
             },
             direction,
             point: Vec3::from_array(point),

@@ -4,7 +4,7 @@ mod common;
 
 use chordal_geometry::Vec3;
 use chordal_kinematics::{
-    ChainError, JointSide, KinematicChain, RolloverRule, RotaryLetter, linuxcnc,
+    ChainError, KinematicChain, RolloverRule, RotaryLetter, RotaryMount, linuxcnc,
 };
 use chordal_machine::{Axis, KinematicsError, Machine, RotaryTarget, TcpFrame};
 use common::{machine, no_files, shown};
@@ -14,7 +14,7 @@ fn built_in(name: &str) -> Machine {
 }
 
 /// The letters and sides of a chain, from the part to the tool.
-fn order(chain: &KinematicChain) -> Vec<(RotaryLetter, JointSide)> {
+fn order(chain: &KinematicChain) -> Vec<(RotaryLetter, RotaryMount)> {
     chain.joints().iter().map(|joint| (joint.letter, joint.side)).collect()
 }
 
@@ -54,7 +54,7 @@ fn two_tables_with_their_travel() {
     use RotaryLetter::{A, C};
     let machine = machine(TABLES);
     let chain = machine.kinematic_chain().expect("a chain");
-    assert_eq!(order(&chain), [(C, JointSide::Table), (A, JointSide::Table)]);
+    assert_eq!(order(&chain), [(C, RotaryMount::Table), (A, RotaryMount::Table)]);
     let [c, a] = chain.joints() else { panic!("two joints") };
     assert_eq!(c.point, Vec3::new(-300.0, -200.0, 0.0));
     assert_eq!(a.point, Vec3::new(0.0, -200.0, -400.0));
@@ -75,13 +75,13 @@ fn what_carries_what() {
     use RotaryLetter::{A, C};
     let chain = |lines: &str| with(lines).kinematic_chain().expect("a chain");
     let turned = chain("rotary.A.on = C\nrotary.C.point.Z = 0 mm\nrotary.A.point.X = 0 mm");
-    assert_eq!(order(&turned), [(A, JointSide::Table), (C, JointSide::Table)]);
+    assert_eq!(order(&turned), [(A, RotaryMount::Table), (C, RotaryMount::Table)]);
     let heads = "rotary.A.turns = head\nrotary.C.turns = head";
-    assert_eq!(order(&chain(heads)), [(C, JointSide::Head), (A, JointSide::Head)]);
+    assert_eq!(order(&chain(heads)), [(C, RotaryMount::Head), (A, RotaryMount::Head)]);
     let carried = format!("{heads}\nrotary.C.on = A");
-    assert_eq!(order(&chain(&carried)), [(A, JointSide::Head), (C, JointSide::Head)]);
+    assert_eq!(order(&chain(&carried)), [(A, RotaryMount::Head), (C, RotaryMount::Head)]);
     let mixed = chain("rotary.C.turns = head");
-    assert_eq!(order(&mixed), [(A, JointSide::Table), (C, JointSide::Head)]);
+    assert_eq!(order(&mixed), [(A, RotaryMount::Table), (C, RotaryMount::Head)]);
 }
 
 #[test]
@@ -141,8 +141,8 @@ fn an_axis_that_the_machine_lacks_counts_for_nothing() {
 
 #[test]
 fn the_built_in_five_axis_machines() {
-    use JointSide::{Head, Table};
     use RotaryLetter::{A, B, C};
+    use RotaryMount::{Head, Table};
     let expected = [
         ("fanuc-head-table", [(C, Table), (B, Head)]),
         ("fanuc-ac-trunnion", [(C, Table), (A, Table)]),

@@ -1,10 +1,10 @@
 //! The paths of the axes of moves under tool centre point control.
 
 use chordal_command::{CommandKind, Move, PartFrame, Position, ProgramOffsets, TipCurve};
-use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
+use chordal_geometry::{Curve, Line, ParamCurve, Transform};
 use chordal_kinematics::JointPath;
 
-use crate::segment::curves_of;
+use crate::segment::{curves_of, point};
 
 /// A part of a move as the axes make it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub fn tip_pieces(kind: &CommandKind, motion: &Move, mut push: impl FnMut(&Curve
     let mut curves: Vec<Curve> = Vec::new();
     match kind {
         CommandKind::Rapid { motion, .. } => {
-            let [start, end] = [&motion.from, &motion.to].map(linear);
+            let [start, end] = [&motion.from, &motion.to].map(point);
             curves.push(Curve::Line(Line { start, end }));
         }
         kind => curves_of(kind, |curve| curves.push(curve)),
@@ -50,15 +50,15 @@ pub fn tip_pieces(kind: &CommandKind, motion: &Move, mut push: impl FnMut(&Curve
 /// The path of the axes while the tip follows a curve: exact where the rotary axes rest, otherwise in straight motions that
 /// keep the tip within `tolerance_mm` of its curve. `None` where the kinematics are not known.
 pub fn axis_pieces(
-    control: &PartFrame,
+    frame: &PartFrame,
     curve: &Curve,
     ends: [&Position; 2],
     offsets: &ProgramOffsets,
     tolerance_mm: f64,
 ) -> Option<Vec<AxisPiece>> {
-    let path = control.joint_path(curve, ends, offsets)?;
+    let path = frame.joint_path(curve, ends, offsets)?;
     let [rotary_from, rotary_to] = ends.map(rotary);
-    let all = linear(&offsets.work) + linear(&offsets.tool);
+    let all = offsets.total();
     if path.from == path.to {
         let on_part = path.tip.curve;
         let to_axes = path.chain.part_transform(&path.from).inverse();
@@ -105,10 +105,6 @@ const MAX_PARTS: u32 = 64;
 
 /// Chords of one part at most: beyond some thousand turns in one move the tolerance is not kept.
 const MAX_CHORDS: u32 = 1_000;
-
-fn linear(place: &Position) -> Vec3 {
-    Vec3::new(place[0], place[1], place[2])
-}
 
 fn rotary(place: &Position) -> [f64; 3] {
     [place[3], place[4], place[5]]

@@ -417,7 +417,8 @@ impl Interpreter<'_> {
         self.kernel.begin_tool_center();
         let error = self.kernel.rotary_chain().err();
         if let (Some(error), Some((_, at))) = (error, code) {
-            self.report_no_kinematics(block, *at, &error);
+            let (name, span) = (self.code_text(block, *at), self.span(block.words[*at].range));
+            self.kernel.report_no_kinematics(span, &name, &error);
         }
     }
 

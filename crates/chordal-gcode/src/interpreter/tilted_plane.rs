@@ -105,25 +105,16 @@ impl Interpreter<'_> {
                 let help = "define the plane in a block before";
                 self.report_plane(block, at, message, help, rules.without_plane);
             }
-            Err(TurnError::NoKinematics(what)) => self.report_no_kinematics(block, at, &what),
+            Err(TurnError::NoKinematics(why)) => {
+                let span = self.span(block.words[at].range);
+                self.kernel.report_no_kinematics(span, &name, &why);
+            }
             Err(TurnError::Unreachable(why)) => {
                 let message = format!("{name}: {why}");
                 let help = "choose another plane, or a machine whose axes reach it";
                 self.report_plane(block, at, message, help, rules.unreachable);
             }
         }
-    }
-
-    /// Says that where the axes are is not known, and why.
-    pub(super) fn report_no_kinematics(&mut self, block: &Block, at: usize, why: &str) {
-        let name = self.code_text(block, at);
-        let message =
-            format!("{name}: where X, Y and Z are while rotary axes turn is not known: {why}");
-        let span = self.span(block.words[at].range);
-        let diagnostic = Diagnostic::new(Code::KinematicsNotKnown, span, message)
-            .label("the tip is followed; travel and time are not")
-            .help("give the rotary axes in the machine file; see `chordal explain CH448`");
-        self.kernel.report(diagnostic);
     }
 
     fn report_plane(

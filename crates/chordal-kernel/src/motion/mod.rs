@@ -162,9 +162,9 @@ impl Kernel<'_> {
         // A missing F becomes NaN, which fails `> 0` like zero.
         let value = value.unwrap_or(f64::NAN);
         let (spindle_rev_per_s, surface) = self.spindle_of_feed(motion.from[0]);
-        let follows_tip = self.state.part_frame.is_some();
+        let is_on_part = self.state.part_frame.is_some();
         let (value, along) =
-            match follows_tip || motion.from[3..] == motion.to[3..] || shape.is_some() {
+            match is_on_part || motion.from[3..] == motion.to[3..] || shape.is_some() {
                 true => (value, FeedAlong::Path),
                 false => self.rotary_feed(at, motion, value),
             };

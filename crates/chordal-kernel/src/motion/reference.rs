@@ -27,15 +27,13 @@ impl Kernel<'_> {
     /// Moves the named axes directly to a reference point.
     pub fn go_to_reference(&mut self, named: AxisMask, reference: &PerAxis<Option<f64>>) {
         let home = reference.map(|place| place.unwrap_or(0.0));
-        let part_frame = self.suspend_part_frame();
-        if self.rules.frames.work_rotation && !self.state.frames.is_plain() {
-            self.rapid_to_turned_reference(named, &home);
-        } else {
-            self.rapid_to_machine_point(home, named);
-        }
-        if let Some(control) = part_frame {
-            self.resume_part_frame(control);
-        }
+        self.by_axes(|kernel| {
+            if kernel.rules.frames.work_rotation && !kernel.state.frames.is_plain() {
+                kernel.rapid_to_turned_reference(named, &home);
+            } else {
+                kernel.rapid_to_machine_point(home, named);
+            }
+        });
         self.end_length_if(named.has(Z) && self.rules.length.ended_by.reference_return);
     }
 
@@ -61,11 +59,7 @@ impl Kernel<'_> {
     /// G53: moves to a point of machine coordinates, by a rapid or at the active feed.
     pub fn to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {
         self.end_length_if(named.has(Z) && self.rules.length.ended_by.machine_move);
-        let part_frame = self.suspend_part_frame();
-        self.move_to_machine_point(at, place, named);
-        if let Some(control) = part_frame {
-            self.resume_part_frame(control);
-        }
+        self.by_axes(|kernel| kernel.move_to_machine_point(at, place, named));
     }
 
     fn move_to_machine_point(&mut self, at: &dyn Statement, place: Position, named: AxisMask) {

@@ -60,7 +60,7 @@ impl RunChecks<'_> {
     ) {
         let frame = &self.now.frame;
         let known = motion.from_known.and(motion.to_known).and(AxisMask::LINEAR);
-        let Some(control) = frame.part_frame.clone() else { return };
+        let Some(part_frame) = frame.part_frame.clone() else { return };
         let offsets = frame.offsets();
         let is_known = known.covers(AxisMask::LINEAR) && frame.known.covers(AxisMask::LINEAR);
         let rotary = motion.to_known.and(AxisMask::ROTARY);
@@ -71,7 +71,7 @@ impl RunChecks<'_> {
         }
         let mut extremes: Vec<[f64; 6]> = Vec::new();
         tip_pieces(kind, motion, |curve, ends| {
-            let Some(path) = control.joint_path(curve, ends, &offsets) else { return };
+            let Some(path) = part_frame.joint_path(curve, ends, &offsets) else { return };
             if is_surely_within(self.machine, &path) {
                 return;
             }

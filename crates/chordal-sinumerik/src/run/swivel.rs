@@ -83,14 +83,12 @@ impl Interpreter<'_> {
                 number(from + 2) * unit,
             ))
         };
-        let turn = |place: usize| {
-            let about = match (mode >> (2 * place)) & 0b11 {
-                1 => Vec3::X,
-                2 => Vec3::Y,
-                3 => Vec3::Z,
-                _ => return Transform::identity(),
-            };
-            Transform::rotation_about(Vec3::ZERO, about, degrees[place].to_radians())
+        let turn = |place: usize| match turning_axis(mode, place) {
+            Some(axis) => {
+                let about = [Vec3::X, Vec3::Y, Vec3::Z][axis];
+                Transform::rotation_about(Vec3::ZERO, about, degrees[place].to_radians())
+            }
+            None => Transform::identity(),
         };
         let rotation = turn(2).then(&turn(1)).then(&turn(0));
         let plane = shift(SHIFT_AFTER).then(&rotation).then(&shift(SHIFT_BEFORE));
@@ -117,17 +115,25 @@ impl Interpreter<'_> {
     }
 }
 
-/// The rotations axis by axis: the mode names the first, the second and the third axis by two bits each, and the first one
-/// is outermost.
+/// The rotations axis by axis, the first one outermost.
 fn rotation(mode: i64, degrees: [f64; 3]) -> FrameMap {
-    let turn = |place: usize| {
-        let plane = match (mode >> (2 * place)) & 0b11 {
-            1 => Plane::Yz,
-            2 => Plane::Zx,
-            3 => Plane::Xy,
-            _ => return FrameMap::IDENTITY,
-        };
-        FrameMap::rotation(plane, [0.0; 2], degrees[place])
+    let turn = |place: usize| match turning_axis(mode, place) {
+        Some(axis) => {
+            let plane = [Plane::Yz, Plane::Zx, Plane::Xy][axis];
+            FrameMap::rotation(plane, [0.0; 2], degrees[place])
+        }
+        None => FrameMap::IDENTITY,
     };
     turn(2).then(&turn(1)).then(&turn(0))
+}
+
+/// The axis of a rotation, 0 to 2 for X, Y and Z: the mode names those of the first, the second and the third one by two bits
+/// each.
+fn turning_axis(mode: i64, place: usize) -> Option<usize> {
+    match (mode >> (2 * place)) & 0b11 {
+        1 => Some(0),
+        2 => Some(1),
+        3 => Some(2),
+        _ => None,
+    }
 }

@@ -54,15 +54,10 @@ impl Interpreter<'_> {
 
     /// Says once that the tip is followed and the axes are not, and why.
     pub(super) fn report_no_kinematics(&mut self, name: &str, why: &str, range: TextRange) {
-        if !self.is_first_report("kinematics") {
-            return;
+        if self.is_first_report("kinematics") {
+            let span = self.span(range);
+            self.kernel.report_no_kinematics(span, name, why);
         }
-        let message =
-            format!("{name}: where X, Y and Z are while rotary axes turn is not known: {why}");
-        let diagnostic = Diagnostic::new(Code::KinematicsNotKnown, self.span(range), message)
-            .label("the tip is followed; travel and time are not")
-            .help("give the rotary axes in the machine file; see `chordal explain CH448`");
-        self.kernel.report(diagnostic);
     }
 
     /// The direction of the tool by A3, B3 and C3, as positions of the rotary axes; `None` where it is not known.

@@ -14,7 +14,7 @@ impl<S: MotionSink> MotionBuilder<'_, S> {
     /// Makes steps of the axes while the tip follows the path segments. Returns false where the kinematics are not known.
     pub(super) fn follows_tip(&mut self, command: &Command, segments: &[Segment]) -> bool {
         let (frame, shift) = (self.path.frame(), self.path.shift_to_run());
-        let (Some(control), Some(motion)) = (frame.part_frame.clone(), command.kind.motion())
+        let (Some(part_frame), Some(motion)) = (frame.part_frame.clone(), command.kind.motion())
         else {
             return false;
         };
@@ -22,12 +22,12 @@ impl<S: MotionSink> MotionBuilder<'_, S> {
         let mut parts = Vec::new();
         let mut index = 0;
         tip_pieces(&command.kind, motion, |curve, ends| {
-            let pieces = axis_pieces(&control, curve, ends, &offsets, tolerance_mm);
+            let pieces = axis_pieces(&part_frame, curve, ends, &offsets, tolerance_mm);
             parts.extend(pieces.into_iter().flatten().map(|piece| (index, piece)));
             index += 1;
         });
         let count = parts.len();
-        let placed = PlacedPartFrame { frame: Arc::clone(&control), offsets, shift };
+        let placed = PlacedPartFrame { frame: Arc::clone(&part_frame), offsets, shift };
         self.part_frame = Some(self.number_of_frame(placed));
         for (at, (index, piece)) in parts.iter().enumerate() {
             let Some(whole) = segments.get(*index) else { break };
