@@ -39,7 +39,7 @@ def test_errors_are_not_carried_over() -> None:
 
 
 def test_what_is_not_verified_is_not_the_same() -> None:
-    text = "G21 G90 S900 M3\nG1 X9. F50.\nG68.2 X0 Y0 Z0 I0 J30. K0\nX5.\nM30\n"
+    text = "G21 G90 S900 M3\nG1 X9. F50.\nG33 Z-5. F2.\nX5.\nM30\n"
     one = chordal.loads(text, control="fanuc", name="part.nc")
     found = one.compare(chordal.loads(text, control="fanuc"))
     assert found.verdict == "not-verified" and not found

@@ -120,9 +120,9 @@ def test_codes_are_explained() -> None:
 
 
 def test_from_where_on_the_path_is_not_known() -> None:
-    text = "G21 G90 S900 M3\nG1 X9. F50.\nG68.2 X0 Y0 Z0 I0 J30. K0\nX5.\nM30\n"
+    text = "G21 G90 S900 M3\nG1 X9. F50.\nG33 Z-5. F2.\nX5.\nM30\n"
     program = chordal.loads(text, control="fanuc", name="part.nc")
     assert not program.verified and program.not_verified_from == ("part.nc", 3)
     assert [error.code for error in program.errors] == ["CH312"]
-    whole = chordal.loads(text.replace("G68.2 X0 Y0 Z0 I0 J30. K0\n", ""), control="fanuc")
+    whole = chordal.loads(text.replace("G33 Z-5. F2.\n", ""), control="fanuc")
     assert whole.verified and whole.not_verified_from is None
