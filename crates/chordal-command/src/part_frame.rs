@@ -1,6 +1,6 @@
 //! Coordinates in a frame that is fixed to the part: tool centre point control, tilted planes.
 
-use chordal_geometry::{Curve, ParamCurve, Transform, Vec3};
+use chordal_geometry::{Curve, Frame, ParamCurve, Transform, Vec3};
 use chordal_kinematics::{JointPath, KinematicChain, RotaryMount, TipJet, TipMotion};
 
 use crate::axes::Position;
@@ -103,6 +103,23 @@ impl PartFrame {
     pub fn direction_on_part(&self, direction: Vec3) -> Option<Vec3> {
         let chain = self.chain.as_ref()?;
         Some(self.part_zero(chain).apply_direction(self.plane.apply_direction(direction)))
+    }
+
+    /// The unit vector from the tip of the tool to its holder in the frame, without the tilted plane; `None` without a chain.
+    pub fn tool_direction(&self, place: &Position, offsets: &ProgramOffsets) -> Option<Vec3> {
+        let chain = self.chain.as_ref()?;
+        let to_frame = self.part_zero(chain).inverse();
+        Some(to_frame.apply_direction(chain.direction(&offsets.angles(place))))
+    }
+
+    /// The rotation from the directions of the linear axes of the machine to those of the frame, without the tilted plane:
+    /// by how much the tables have turned. The identity without a chain.
+    pub fn machine_axes(&self, place: &Position, offsets: &ProgramOffsets) -> Transform {
+        let Some(chain) = &self.chain else { return Transform::identity() };
+        let to_part = chain.part_transform(&offsets.angles(place));
+        let to_frame = to_part.then(&self.part_zero(chain).inverse());
+        let [u, v, w] = [Vec3::X, Vec3::Y, Vec3::Z].map(|axis| to_frame.apply_direction(axis));
+        Transform::from_frame(Frame { origin: Vec3::ZERO, u, v, w })
     }
 
     /// The path of the axes, machine coordinates, while the tip follows a curve in program coordinates and the rotary axes

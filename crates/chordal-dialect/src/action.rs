@@ -191,6 +191,8 @@ pub enum LengthCode {
     Add,
     /// The length acts along the tool, and coordinates are those of its tip on the part (G43.4, Haas G234).
     ToolCenter,
+    /// The same, and I, J and K are the direction of the tool (G43.5).
+    ToolCenterByVector,
 }
 
 /// Moves.
@@ -271,12 +273,24 @@ pub enum OnceCode {
 /// Tilted planes.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum TiltedPlaneCode {
-    /// By an origin and angles: Euler angles where P does not choose another way (G68.2).
-    Define,
+    /// By an origin and angles: Euler angles where P does not choose another way (G68.2), in the work coordinate system or
+    /// in the plane that is in force (G68.4).
+    Define {
+        /// The words are coordinates of the plane that is in force.
+        in_active: bool,
+    },
     /// By an origin and angles about the axes in the order of Q (Haas G268).
     DefineByAxes,
+    /// Upright under the tool as the rotary axes stand (G68.3).
+    DefineByTool,
     /// No longer (Haas G269).
     Off,
+    /// The origin of the work coordinates rides on the tables, and their axes stay those of the machine (Haas G254), or no
+    /// longer (G255).
+    OriginOnTable {
+        /// It begins.
+        on: bool,
+    },
     /// The rotary axes turn so that the tool stands upright on it: they alone (G53.1, Haas G253), or with the tip held (G53.6).
     Turn {
         /// The tip stays where it is.

@@ -1,6 +1,6 @@
 //! A control as data: its codes, its words, its alarms, its settings.
 
-use crate::action::{Action, AfterCode, LengthCode, ModeCode, OnceCode};
+use crate::action::{Action, AfterCode, LengthCode, ModeCode, OnceCode, TiltedPlaneCode};
 use crate::block_order::{BUILDER_ORDER, BlockOrder};
 use crate::command_line::CommandLine;
 use crate::firmware::Firmware;
@@ -87,6 +87,11 @@ impl CodeRow {
     pub const fn stored_reference(&self) -> Option<usize> {
         let Action::Mode(ModeCode::StoreReference { second }) = self.action else { return None };
         Some(second as usize)
+    }
+
+    /// Whether it defines a tilted plane, perhaps together with the blocks after it.
+    pub const fn defines_plane(&self) -> bool {
+        matches!(self.action, Action::Once(OnceCode::TiltedPlane(TiltedPlaneCode::Define { .. })))
     }
 
     /// Its name with its letter: `G54.1`.

@@ -6,12 +6,13 @@ use std::sync::Arc;
 use chordal_command::{AxisMask, CommandKind, PartFrame, Position, ProgramOffsets};
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::{Transform, Vec3};
-use chordal_kinematics::{KinematicChain, SolutionRule};
+use chordal_kinematics::{AngleSign, KinematicChain, SolutionRule};
 use chordal_machine::TcpFrame;
 
 use crate::kernel::Kernel;
 use crate::rules::RotaryChoice;
 use crate::state::State;
+use crate::statement::Statement;
 
 /// Why the rotary axes cannot turn to a plane.
 #[derive(Clone, PartialEq, Debug)]
@@ -102,6 +103,7 @@ impl Kernel<'_> {
 
     /// Ends tool centre point control; a tilted plane stays.
     pub fn end_tool_center(&mut self) {
+        self.state.tool_by_vector = false;
         if self.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip) {
             self.set_part_frame(false, self.tilted_plane());
         }
@@ -117,6 +119,15 @@ impl Kernel<'_> {
             [] => Err("the machine has no rotary axis".into()),
             _ => Ok(chain),
         }
+    }
+
+    /// The rotary axes that turn the tool or the part, as far as the machine file gives them.
+    pub fn rotary_axes(&self) -> AxisMask {
+        let mut axes = AxisMask::NONE;
+        let chain = self.rotary_chain().ok();
+        let joints = chain.iter().flat_map(|chain| chain.joints());
+        joints.for_each(|joint| axes.insert(joint.letter.index() + 3));
+        axes
     }
 
     /// Whether a tilted plane is in force.
@@ -138,27 +149,117 @@ impl Kernel<'_> {
         self.state.part_frame.as_ref().map_or(Transform::identity(), |frame| frame.plane)
     }
 
+    /// From here on coordinates are turned in space (G68 with I, J and K): the axes move along them however the rotary axes
+    /// stand. The identity ends it.
+    pub fn set_space_rotation(&mut self, plane: Transform) {
+        self.suspend_part_frame();
+        if plane != Transform::identity() {
+            let frame = self.part_frame_of(Some(KinematicChain::CARTESIAN), false, plane);
+            self.resume_part_frame(Arc::new(frame));
+        }
+    }
+
+    /// Whether the coordinates are turned in space (G68 with I, J and K).
+    pub fn is_rotated_in_space(&self) -> bool {
+        let frame = self.state.part_frame.as_ref();
+        frame.is_some_and(|frame| {
+            !frame.follows_tip && frame.chain == Some(KinematicChain::CARTESIAN)
+        })
+    }
+
     fn set_part_frame(&mut self, follows_tip: bool, plane: Transform) {
         self.suspend_part_frame();
+        self.state.origin_on_table = false;
         if !follows_tip && plane == Transform::identity() {
             return;
         }
+        let frame = self.part_frame_of(self.rotary_chain().ok(), follows_tip, plane);
+        self.resume_part_frame(Arc::new(frame));
+    }
+
+    fn part_frame_of(
+        &self,
+        chain: Option<KinematicChain>,
+        follows_tip: bool,
+        plane: Transform,
+    ) -> PartFrame {
         let offsets = self.state.program_offsets();
         let place = self.state.work_position();
         let frame_angles = std::array::from_fn(|axis| match self.machine.tcp_frame {
             TcpFrame::Activation if follows_tip => offsets.work[axis + 3] + place[axis + 3],
             TcpFrame::Zero | TcpFrame::Activation => offsets.work[axis + 3],
         });
+        PartFrame { chain, frame_angles, plane, follows_tip }
+    }
+
+    /// The tip of the tool and its direction, in the work coordinate system as it lies with the tables at zero.
+    ///
+    /// # Errors
+    /// [`TurnError::NoKinematics`] where they are not known.
+    pub fn tool_on_part(&self) -> Result<(Vec3, Vec3), TurnError> {
+        let chain = self.rotary_chain().map_err(TurnError::NoKinematics)?;
+        let (place, offsets) = (self.state.axis_position(), self.state.program_offsets());
+        let frame = self.part_frame_of(Some(chain), true, Transform::identity());
+        let known = self.state.frames.map().known(self.state.known);
+        if !known.covers(State::axes_of_chain(&frame)) {
+            let what = "the program has not said where the axes are".to_string();
+            return Err(TurnError::NoKinematics(what));
+        }
+        let tip = frame.tip_of_axes(&place, &offsets);
+        let direction = frame.tool_direction(&place, &offsets).unwrap_or(Vec3::Z);
+        Ok((Vec3::new(tip[0], tip[1], tip[2]), direction))
+    }
+
+    /// The origin of the work coordinates rides on the tables from here on, and their axes stay those of the machine (Haas
+    /// G254).
+    ///
+    /// # Errors
+    /// [`TurnError::NoKinematics`] where it is not known how the tables stand.
+    pub fn begin_origin_on_table(&mut self) -> Result<(), TurnError> {
+        self.tool_on_part()?;
+        let (place, offsets) = (self.state.axis_position(), self.state.program_offsets());
         let chain = self.rotary_chain().ok();
-        self.resume_part_frame(Arc::new(PartFrame { chain, frame_angles, plane, follows_tip }));
+        let level = self.part_frame_of(chain, false, Transform::identity());
+        let plane = level.machine_axes(&place, &offsets);
+        self.suspend_part_frame();
+        self.resume_part_frame(Arc::new(PartFrame { plane, ..level }));
+        self.state.origin_on_table = true;
+        Ok(())
+    }
+
+    /// The origin no longer rides on the tables (Haas G255).
+    pub fn end_origin_on_table(&mut self) {
+        if std::mem::take(&mut self.state.origin_on_table) {
+            self.set_part_frame(false, Transform::identity());
+        }
+    }
+
+    /// A move of rotary axes alone while the origin rides on the tables: the linear axes stand, and the origin has another
+    /// place afterwards.
+    pub fn turn_with_origin(&mut self, at: &dyn Statement, mut target: Position, named: AxisMask) {
+        self.suspend_part_frame();
+        // The coordinates of the linear axes are others without the frame.
+        target[..3].copy_from_slice(&self.state.position[..3]);
+        self.straight(at, target, named);
+        self.go_on_with_origin();
+    }
+
+    /// The origin goes on riding on the tables after moves of the axes.
+    fn go_on_with_origin(&mut self) {
+        if self.begin_origin_on_table().is_err() {
+            self.go_astray(AxisMask::LINEAR);
+        }
     }
 
     /// Makes moves of the axes themselves, such as to a reference point, outside of a frame that is in force.
     pub(crate) fn by_axes(&mut self, moves: impl FnOnce(&mut Self)) {
         let frame = self.suspend_part_frame();
         moves(self);
-        if let Some(frame) = frame {
-            self.resume_part_frame(frame);
+        match frame {
+            // The moves may have turned the tables.
+            Some(_) if self.state.origin_on_table => self.go_on_with_origin(),
+            Some(frame) => self.resume_part_frame(frame),
+            None => {}
         }
     }
 
@@ -189,15 +290,19 @@ impl Kernel<'_> {
     }
 
     /// Turns the rotary axes so that the tool stands upright on the tilted plane (G53.1), by a rapid of these axes alone, or
-    /// with the tip held where it is (G53.6).
+    /// with the tip held where it is (G53.6). `sign` is that of the axis nearer to the tool, where the program chooses it.
     ///
     /// # Errors
     /// See [`TurnError`].
-    pub fn turn_to_plane(&mut self, holds_tip: bool) -> Result<(), TurnError> {
+    pub fn turn_to_plane(
+        &mut self,
+        holds_tip: bool,
+        sign: Option<AngleSign>,
+    ) -> Result<(), TurnError> {
         let Some(frame) = self.state.part_frame.clone().filter(|frame| !frame.is_level()) else {
             return Err(TurnError::NoPlane);
         };
-        let angles = match self.angles_of_direction(&frame, Vec3::Z) {
+        let angles = match self.angles_of_direction(&frame, Vec3::Z, sign) {
             Ok(angles) => angles,
             Err(error) => {
                 // The tip is known again where the program names it; where the rotary axes are is not.
@@ -247,6 +352,7 @@ impl Kernel<'_> {
         &self,
         frame: &PartFrame,
         direction: Vec3,
+        sign: Option<AngleSign>,
     ) -> Result<[f64; 3], TurnError> {
         let (Some(chain), Some(direction)) = (&frame.chain, frame.direction_on_part(direction))
         else {
@@ -257,7 +363,11 @@ impl Kernel<'_> {
         let away: [f64; 3] =
             std::array::from_fn(|axis| offsets.work[axis + 3] + offsets.tool[axis + 3]);
         let present = std::array::from_fn(|axis| self.state.position[axis + 3] + away[axis]);
-        let rule = self.solution_rule(chain);
+        let of_sign = sign.zip(chain.joints().last());
+        let rule = match of_sign.map(|(sign, joint)| (joint.letter, sign)) {
+            Some(of_axis) => SolutionRule::LeastMovement { sign: Some(of_axis) },
+            None => self.solution_rule(chain),
+        };
         let unreachable = |error: &dyn std::fmt::Display| TurnError::Unreachable(error.to_string());
         let solutions = chain.joint_solutions(direction).map_err(|error| unreachable(&error))?;
         let angles =
@@ -281,6 +391,6 @@ impl Kernel<'_> {
     /// [`TurnError::NoPlane`] where coordinates are not those of the part, and the others.
     pub fn rotary_of_direction(&self, direction: Vec3) -> Result<[f64; 3], TurnError> {
         let frame = self.state.part_frame.as_ref().ok_or(TurnError::NoPlane)?;
-        self.angles_of_direction(frame, direction)
+        self.angles_of_direction(frame, direction, None)
     }
 }

@@ -280,6 +280,10 @@ pub struct State {
     pub surface: Option<SurfaceState>,
     /// The frame of the part (tool centre point control, a tilted plane); `None` when coordinates are those of the axes.
     pub part_frame: Option<Arc<PartFrame>>,
+    /// Under tool centre point control the program gives the direction of the tool as a vector (G43.5).
+    pub tool_by_vector: bool,
+    /// The origin of the coordinates rides on the tables, and their axes stay those of the machine (Haas G254).
+    pub origin_on_table: bool,
     /// Units of the program.
     pub units: Units,
     /// The plane of arcs and compensation.
@@ -368,6 +372,8 @@ impl State {
             polar: None,
             surface: None,
             part_frame: None,
+            tool_by_vector: false,
+            origin_on_table: false,
             units: rules.units,
             plane: rules.starts_in,
             incremental: rules.starts_incremental,

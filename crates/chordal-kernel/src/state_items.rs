@@ -154,6 +154,8 @@ impl State {
             polar: _,
             surface: _,
             part_frame: _,
+            tool_by_vector: _,
+            origin_on_table: _,
             units,
             plane,
             incremental,

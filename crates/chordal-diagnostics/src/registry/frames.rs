@@ -148,5 +148,17 @@ rotary axes so that the tool stands upright on it; G69 (Haas G269) ends it.
     G69
 
 A plane is defined while none is in force, with cutter compensation off. G53.1 needs a plane, and a machine whose rotary
-axes can bring the tool to that direction within their travel."#;
+axes can bring the tool to that direction within their travel. With P2 and P3 several blocks define a plane together; they
+follow each other, and the points do not lie on a line. G68.4 defines a plane in the one that is in force."#;
+
+    ToolVector = 450, "tool-vector", Error;
+    "a direction of the tool that cannot be carried out";
+    r#"With tool centre point control by direction (G43.5) I, J and K are a vector from the tip of the tool to its holder, at the
+end of the block. Letters that are left out are 0; without all three the direction stays.
+
+    G43.5 H1 Z50.
+    G1 X20. I0.5 J0 K0.866 F800.
+
+A vector of length 0 is no direction. Words of rotary axes are not used while the vector gives them, and the axes must be
+able to bring the tool to that direction within their travel."#;
 }

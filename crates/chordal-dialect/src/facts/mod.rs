@@ -250,6 +250,22 @@ fn length(code: LengthCode) -> CodeFacts {
             .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
             .rows(&[("H", "number of the length offset")])
             .example("{} H1 Z30."),
+        LengthCode::ToolCenterByVector => PLAIN
+            .problems(&[
+                Code::OffsetNotSet,
+                Code::LengthOffsetOfOtherTool,
+                Code::KinematicsNotKnown,
+                Code::ToolVector,
+            ])
+            .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
+            .rows(&[
+                ("H", "number of the length offset"),
+                (
+                    "I, J, K",
+                    "direction from the tip to the holder, in this block and those after it",
+                ),
+            ])
+            .example("{} H1 Z30."),
         LengthCode::Add => PLAIN
             .problems(&[Code::OffsetNotSet, Code::LengthOffsetOfOtherTool, Code::TipDisplaced])
             .rows(&[("H", "number of the tool whose offsets are added")]),

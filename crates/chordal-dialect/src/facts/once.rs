@@ -204,21 +204,36 @@ fn holes(pattern: HolePattern) -> &'static [(&'static str, &'static str)] {
 
 fn tilted_plane(code: TiltedPlaneCode) -> &'static [(&'static str, &'static str)] {
     match code {
-        TiltedPlaneCode::Define => &[
-            ("X, Y, Z", "origin of the plane in the work coordinate system"),
+        TiltedPlaneCode::Define { .. } => &[
+            ("X, Y, Z", "origin of the plane, or a point of it"),
             (
                 "I, J, K",
-                "angles, degrees: about Z, the new X, and the new Z; with P1 about X, Y and Z",
+                "angles, degrees: about Z, the new X, and the new Z; with P1 about X, Y and Z; with P3 a vector",
             ),
-            ("P", "0 or none: Euler angles; 1: roll, pitch and yaw; 4: angles of two projections"),
-            ("Q", "with P1 the order of the axes: 123, 321, …"),
+            (
+                "P",
+                "0 or none: Euler angles; 1: roll, pitch and yaw; 2: three points; 3: two vectors; 4: angles of two projections",
+            ),
+            (
+                "Q",
+                "with P1 the order of the axes: 123, 321, …; with P2 and P3 which point or vector",
+            ),
+            ("R", "with P2 Q0 the angle about the normal, degrees"),
+        ],
+        TiltedPlaneCode::DefineByTool => &[
+            ("X, Y, Z", "origin of the plane; without them the tip of the tool"),
+            ("R", "angle about the tool, degrees"),
         ],
         TiltedPlaneCode::DefineByAxes => &[
             ("X, Y, Z", "origin of the plane in the work coordinate system"),
             ("I, J, K", "angles about X, Y and Z, degrees"),
             ("Q", "the order of the axes: 123, 321, …"),
         ],
-        TiltedPlaneCode::Off | TiltedPlaneCode::Turn { .. } => &[],
+        TiltedPlaneCode::Turn { .. } => &[(
+            "P",
+            "sign of the axis nearer to the tool: 1 positive, 2 negative; 0 or none: the nearest",
+        )],
+        TiltedPlaneCode::Off | TiltedPlaneCode::OriginOnTable { .. } => &[],
     }
 }
 

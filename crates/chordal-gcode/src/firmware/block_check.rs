@@ -345,7 +345,11 @@ impl BlockCheck<'_> {
             }
             // The tool table says it.
             Some(
-                LengthCode::Plus | LengthCode::Minus | LengthCode::Add | LengthCode::ToolCenter,
+                LengthCode::Plus
+                | LengthCode::Minus
+                | LengthCode::Add
+                | LengthCode::ToolCenter
+                | LengthCode::ToolCenterByVector,
             )
             | None => {}
         }

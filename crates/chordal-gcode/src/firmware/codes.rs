@@ -66,7 +66,11 @@ pub(super) fn axis_use(row: &'static CodeRow) -> Option<AxisUse> {
 fn length_axes(code: LengthCode) -> Option<AxisUse> {
     match code {
         LengthCode::FromAxes | LengthCode::Cancel => Some(AxisUse::Length),
-        LengthCode::Plus | LengthCode::Minus | LengthCode::Add | LengthCode::ToolCenter => None,
+        LengthCode::Plus
+        | LengthCode::Minus
+        | LengthCode::Add
+        | LengthCode::ToolCenter
+        | LengthCode::ToolCenterByVector => None,
     }
 }
 

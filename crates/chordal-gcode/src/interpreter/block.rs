@@ -53,6 +53,8 @@ impl Interpreter<'_> {
         if !letters.within(PLAIN)
             || self.kernel.state.cycle.is_some()
             || self.kernel.state.surface.is_some()
+            || self.open_plane.is_some()
+            || self.kernel.state.tool_by_vector
             || self.macros.active > 0
             || block.repeated() != Letters::NONE
             || block.commas
@@ -202,6 +204,9 @@ impl Interpreter<'_> {
             }
         }
         self.take_reading_modes(block, codes);
+        if self.open_plane.is_some() {
+            self.close_plane(block, codes);
+        }
         self.watch_spatial(block, codes);
         self.check_word_rules(block, codes);
         self.check_multiplied_words(block, codes);

@@ -82,6 +82,7 @@ impl Interpreter<'_> {
             && !self.in_remark
             && !self.kernel.waits_at_corner()
             && self.open_line.is_none()
+            && self.open_plane.is_none()
             && self.kernel.calls.count() <= MAX_CALL_PATHS
             && self.options.shop_codes.is_none()
             && !self.machine.answers_with_blocks()

@@ -229,6 +229,9 @@ impl Interpreter<'_> {
         {
             claims = claims.union(self.words_of(row));
         }
+        if self.kernel.state.tool_by_vector {
+            claims = claims.union(Letters::of("IJK"));
+        }
         if self.kernel.reads_contour_words() {
             claims = claims.union(Letters::of("ACUW"));
         }

@@ -3,14 +3,14 @@
 use chordal_command::{AxisMask, CompensationSide, Position};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_dialect::{Action, CodeGroup, CodeRow, OnceCode, code_number};
-use chordal_geometry::Plane;
+use chordal_geometry::{Plane, Vec3};
 use chordal_kernel::PolarWords;
 use chordal_kernel::frames::ScaleFactors;
 use chordal_machine::AXES;
 use chordal_syntax::{Block, Letters};
 
-use super::Interpreter;
 use super::literals::AXIS_OF;
+use super::{Interpreter, plane_forms};
 
 impl Interpreter<'_> {
     /// G68: a centre on the axes of the plane, and the angle R.
@@ -22,8 +22,7 @@ impl Interpreter<'_> {
         let row = block.words[at].number().and_then(code_number);
         let row = row.and_then(|code| self.control.g_code(code));
         if row.is_some_and(|row| self.is_spatial(block, row)) {
-            // Three direction words: a rotation about any axis.
-            return self.not_followed(&block.words[at], "a rotation about an axis by I, J and K");
+            return self.rotation_in_space(block, at);
         }
         if self.control.parameters.rules.frames.rotation_center_by_ab {
             return self.rotation_about_ab(block, at);
@@ -33,6 +32,27 @@ impl Interpreter<'_> {
         self.unused_axes(block, |axis, _| axis == a || axis == b);
         let degrees = self.angle_of(block, b'R');
         self.kernel.rotate(&self.at(block), [values[a], values[b]], degrees);
+    }
+
+    /// G68 with I, J and K: the coordinates turn by R about an axis, and X, Y and Z are their new origin.
+    fn rotation_in_space(&mut self, block: &Block, at: usize) {
+        let [x, y, z, ..] = self.axis_words(block);
+        let axis = self.vector_of(block);
+        let degrees = self.angle_of(block, b'R');
+        let (Some(x), Some(y), Some(z), Some(degrees)) = (x, y, z, degrees) else {
+            let what = "a rotation in space without X, Y, Z or R";
+            return self.not_followed(&block.words[at], what);
+        };
+        let origin = Vec3::new(x, y, z);
+        // Tool centre point control and planes by angles are not combined with it.
+        let is_simple = self.kernel.is_rotated_in_space() || self.kernel.state.part_frame.is_none();
+        match plane_forms::about_axis(origin, axis, degrees.to_radians()) {
+            Some(turned) if is_simple => {
+                let plane = turned.then(&self.kernel.tilted_plane());
+                self.kernel.set_space_rotation(plane);
+            }
+            _ => self.not_followed(&block.words[at], "a rotation about an axis by I, J and K"),
+        }
     }
 
     /// G68 of Mach3: A and B are the centre.

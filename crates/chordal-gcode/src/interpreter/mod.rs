@@ -29,6 +29,7 @@ mod modes;
 mod motion;
 mod offsets;
 mod path_modes;
+mod plane_forms;
 mod pocket;
 mod polar;
 mod reference;
@@ -43,6 +44,7 @@ mod surface;
 mod thread;
 mod thread_height;
 mod tilted_plane;
+mod tool_vector;
 mod turning;
 mod turning_contour;
 mod turning_subroutine;
@@ -156,6 +158,8 @@ struct Interpreter<'a> {
     macros: macros::MacroState<'a>,
     /// Tilted work planes.
     spatial: spatial::SpatialState,
+    /// A tilted plane of which not all blocks have come; `None` without one.
+    open_plane: Option<tilted_plane::OpenPlane>,
     /// The state of spline blocks (G5, G5.2).
     spline: spline::SplineMemory,
     /// Blocks of the main program before this offset are repeats after a backward jump; 0 without one.
@@ -276,6 +280,7 @@ impl<'a> Interpreter<'a> {
             labels: HashMap::new(),
             jumps: HashMap::new(),
             spatial: spatial::SpatialState::default(),
+            open_plane: None,
             spline: spline::SplineMemory::default(),
             missing: Vec::new(),
             blocks: 0,
@@ -389,6 +394,7 @@ impl<'a> Interpreter<'a> {
 
     fn finish(&mut self, end: EndReason) {
         self.lose_open_line("the program ends before it");
+        self.end_open_plane();
         self.kernel.end_corners();
         self.print_pending();
         if end == EndReason::EndOfText {

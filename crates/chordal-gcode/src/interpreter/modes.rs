@@ -398,8 +398,12 @@ impl Interpreter<'_> {
             }
             None => {}
         }
-        if by_code == Some(Action::Length(LengthCode::ToolCenter)) {
+        if let Some(Action::Length(
+            code @ (LengthCode::ToolCenter | LengthCode::ToolCenterByVector),
+        )) = by_code
+        {
             self.begin_tool_center(block, length_code);
+            self.kernel.state.tool_by_vector = code == LengthCode::ToolCenterByVector;
         }
         let adds = self.control.parameters.rules.length.adds_to_increment;
         let is_once = codes.iter().any(|(row, _)| matches!(row.action, Action::Once(_)));
@@ -414,6 +418,9 @@ impl Interpreter<'_> {
 
     /// G43.4, G234: from here on coordinates are those of the tip.
     fn begin_tool_center(&mut self, block: &Block, code: Option<&(&'static CodeRow, usize)>) {
+        if let Some((_, at)) = code {
+            self.check_begin_of_tool_center(block, *at);
+        }
         self.kernel.begin_tool_center();
         let error = self.kernel.rotary_chain().err();
         if let (Some(error), Some((_, at))) = (error, code) {

@@ -205,6 +205,7 @@ impl Interpreter<'_> {
         }
         if named == AxisMask::NONE
             && (!arc_words || matches!(self.kernel.state.motion, ModalMotion::Turn(_)))
+            && !self.has_tool_vector(block)
         {
             return;
         }
@@ -216,11 +217,18 @@ impl Interpreter<'_> {
         }
         match self.kernel.state.motion {
             ModalMotion::Rapid | ModalMotion::Linear => {
-                if named != AxisMask::NONE {
+                if self.kernel.state.part_frame.is_some() {
+                    self.straight_on_part(block, target, named);
+                } else if named != AxisMask::NONE {
                     self.kernel.straight(&self.at(block), target, named);
                 }
             }
             ModalMotion::Arc(direction) => {
+                if self.has_tool_vector(block) {
+                    let range = self.words_span(block, CENTER).range;
+                    let message = "an arc with I, J and K under G43.5 is not followed";
+                    self.lose_path(range, message.to_string());
+                }
                 let direction = self.direction_on_surface(direction);
                 self.arc_block(block, direction, target, named, explicit);
             }

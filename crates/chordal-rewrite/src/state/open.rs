@@ -79,14 +79,19 @@ impl OpenConstructs {
             Action::Once(OnceCode::Surface(code)) => {
                 (self.frame, self.frames.surface) = (line, begins_surface(block, code));
             }
-            Action::Length(LengthCode::ToolCenter)
+            Action::Length(LengthCode::ToolCenter | LengthCode::ToolCenterByVector)
             | Action::Once(OnceCode::TiltedPlane(
-                TiltedPlaneCode::Define | TiltedPlaneCode::DefineByAxes,
+                TiltedPlaneCode::Define { .. }
+                | TiltedPlaneCode::DefineByAxes
+                | TiltedPlaneCode::DefineByTool
+                | TiltedPlaneCode::OriginOnTable { on: true },
             )) => {
                 (self.frame, self.frames.part) = (line, true);
             }
             Action::Length(LengthCode::Cancel)
-            | Action::Once(OnceCode::TiltedPlane(TiltedPlaneCode::Off)) => self.frames.part = false,
+            | Action::Once(OnceCode::TiltedPlane(
+                TiltedPlaneCode::Off | TiltedPlaneCode::OriginOnTable { on: false },
+            )) => self.frames.part = false,
             Action::Reading(_)
             | Action::Before(_)
             | Action::Mode(_)

@@ -233,7 +233,8 @@ fn without_roles(action: Action) -> Option<(&'static str, &'static str)> {
     }
     let is_on_part = matches!(
         action,
-        Action::Length(LengthCode::ToolCenter) | Action::Once(OnceCode::TiltedPlane(_))
+        Action::Length(LengthCode::ToolCenter | LengthCode::ToolCenterByVector)
+            | Action::Once(OnceCode::TiltedPlane(_))
     );
     if is_on_part {
         let help = "move the work offset in place of the program";

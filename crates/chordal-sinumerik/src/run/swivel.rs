@@ -103,7 +103,7 @@ impl Interpreter<'_> {
         if number(DIRECTION) == 0.0 {
             return;
         }
-        match self.kernel.turn_to_plane(false) {
+        match self.kernel.turn_to_plane(false, None) {
             // Without a rotation there is nothing to turn to.
             Ok(()) | Err(TurnError::NoPlane) => {}
             Err(TurnError::NoKinematics(why)) => self.report_no_kinematics("CYCLE800", &why, range),

@@ -131,8 +131,8 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(1880, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "program from the pattern library"),
     row(2340, CodeGroup::ToolLength, Length(ToolCenter), "H", "tool centre point control"),
     row(2530, CodeGroup::OneShot, Once(TiltedPlane(TiltedPlaneCode::Turn { holds_tip: false })), "", "feature plane orientation"),
-    row(2540, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "dynamic work offset"),
-    row(2550, CodeGroup::Auxiliary, NoEffect, "", "dynamic work offset off"),
+    row(2540, CodeGroup::OneShot, Once(TiltedPlane(TiltedPlaneCode::OriginOnTable { on: true })), "", "dynamic work offset"),
+    row(2550, CodeGroup::OneShot, Once(TiltedPlane(TiltedPlaneCode::OriginOnTable { on: false })), "", "dynamic work offset off"),
     row(2680, CodeGroup::OneShot, Once(TiltedPlane(TiltedPlaneCode::DefineByAxes)), "IJKQ", "feature coordinates"),
     row(2690, CodeGroup::OneShot, Once(TiltedPlane(TiltedPlaneCode::Off)), "", "feature coordinates off"),
 ];

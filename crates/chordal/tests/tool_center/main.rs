@@ -1,6 +1,8 @@
 //! Tool centre point control, from the program to the axes. The positions of the machine are those of the kinematic
 //! formulas, worked out apart from this code.
 
+mod plane_forms;
+
 use chordal::diagnostics::{Code, Severity};
 use chordal::motion::{MotionOptions, MotionStep, PlannerLevel, SamplingRequest, StepSource};
 use chordal::{Job, Machine, Source, SourceMap};

@@ -1,0 +1,92 @@
+//! Straight moves in a frame of the part: the direction of the tool as a vector (G43.5), and rotary axes that turn while the
+//! origin rides on the tables (G254).
+
+use chordal_command::{AxisMask, Position};
+use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_geometry::Vec3;
+use chordal_kernel::TurnError;
+use chordal_syntax::{Block, Letters};
+
+use super::Interpreter;
+
+const VECTOR: Letters = Letters::of("IJK");
+
+impl Interpreter<'_> {
+    /// Whether words of this block are a direction of the tool.
+    #[inline]
+    pub(super) fn has_tool_vector(&self, block: &Block) -> bool {
+        self.kernel.state.tool_by_vector && block.letters().meets(VECTOR)
+    }
+
+    /// A straight move in a frame of the part.
+    #[cold]
+    pub(super) fn straight_on_part(
+        &mut self,
+        block: &Block,
+        mut target: Position,
+        mut named: AxisMask,
+    ) {
+        if self.kernel.state.tool_by_vector {
+            self.take_tool_vector(block, &mut target, &mut named);
+        }
+        if named == AxisMask::NONE {
+            return;
+        }
+        let at = self.at(block);
+        let only_turns = named.and(AxisMask::LINEAR) == AxisMask::NONE;
+        match self.kernel.state.origin_on_table && only_turns {
+            true => self.kernel.turn_with_origin(&at, target, named),
+            false => self.kernel.straight(&at, target, named),
+        }
+    }
+
+    /// I, J and K of the block as the rotary axes that bring the tool to this direction.
+    fn take_tool_vector(&mut self, block: &Block, target: &mut Position, named: &mut AxisMask) {
+        if named.and(AxisMask::ROTARY) != AxisMask::NONE {
+            let message = "a rotary axis while I, J and K are the direction of the tool";
+            let help = "write the direction as I, J and K, or begin with G43.4 in place of G43.5";
+            let span = self.words_span(block, Letters::of("ABC"));
+            return self.report_tool_vector(span, message.into(), help);
+        }
+        if !block.letters().meets(VECTOR) {
+            return;
+        }
+        let span = self.words_span(block, VECTOR);
+        let vector = self.vector_of(block);
+        if vector == Vec3::ZERO {
+            let message = "I, J and K are all 0: no direction of the tool";
+            let help = "write the vector from the tip of the tool to its holder";
+            return self.report_tool_vector(span, message.into(), help);
+        }
+        match self.kernel.rotary_of_direction(vector) {
+            Ok(angles) => {
+                target[3..].copy_from_slice(&angles);
+                *named = named.or(self.kernel.rotary_axes());
+            }
+            Err(TurnError::NoKinematics(_) | TurnError::NoPlane) => {
+                self.kernel.go_astray(AxisMask::ROTARY);
+            }
+            Err(TurnError::Unreachable(why)) => {
+                let message = format!("the direction of the tool cannot be reached: {why}");
+                let help = "choose another direction, or a machine whose axes reach it";
+                self.report_tool_vector(span, message, help);
+            }
+        }
+    }
+
+    /// I, J and K as the components of a vector, with every decimal; letters that are left out are 0.
+    pub(super) fn vector_of(&mut self, block: &Block) -> Vec3 {
+        let mut component = |letter: u8| {
+            let word = block.last(letter)?;
+            let number = self.literal(word)?;
+            // Without a point they count in the increments of angles, whatever the units of the program are.
+            if number.has_point { Some(number.to_f64()) } else { self.word_degrees(word) }
+        };
+        Vec3::from_array(b"IJK".map(|letter| component(letter).unwrap_or(0.0)))
+    }
+
+    fn report_tool_vector(&mut self, span: Span, message: String, help: &str) {
+        let diagnostic = Diagnostic::new(Code::ToolVector, span, message).help(help);
+        self.kernel.report(diagnostic);
+    }
+}
