@@ -346,6 +346,8 @@ export interface ConvertOptions extends ProgramOptions {
   despiteErrors?: boolean;
   /** Writes cycles out as moves where the new machine makes their pecks or passes in other steps. */
   exactCycles?: boolean;
+  /** Writes positions of the axes in place of the tip of the tool, on the same control too. */
+  axisPositions?: boolean;
 }
 
 /** The ways through a program that a proof covers beside the one that its first run takes. */

@@ -109,7 +109,13 @@ class Program:
         self, other: Program, tolerance_mm: float, feed_tolerance: float, ignore: list[str]
     ) -> str: ...
     def convert(
-        self, to: Machine, tolerance_mm: float, digits: int | None, despite_errors: bool, exact_cycles: bool
+        self,
+        to: Machine,
+        tolerance_mm: float,
+        digits: int | None,
+        despite_errors: bool,
+        exact_cycles: bool,
+        axis_positions: bool,
     ) -> str: ...
     def stock(
         self,

@@ -446,11 +446,13 @@ class Program:
         digits: int | None = None,
         despite_errors: bool = False,
         exact_cycles: bool = False,
+        axis_positions: bool = False,
     ) -> Conversion:
         """Convert the program for another machine. Each change has its reason, and the new program is compared with
         this one: see ``holds``. Where a shape must be written out as moves, the path is within ``tolerance`` mm;
         ``digits`` is the number of decimals of computed words. A cycle is kept when only its pecks differ, which are
-        listed in ``pecks``; ``exact_cycles`` writes it out as moves.
+        listed in ``pecks``; ``exact_cycles`` writes it out as moves. ``axis_positions`` writes the positions of the axes
+        in place of the tip of the tool on the same control, too; another control always gets them.
         ``despite_errors`` converts a program with errors, too.
 
         >>> import chordal
@@ -459,7 +461,12 @@ class Program:
         G54
         """
         answer = self._program.convert(
-            machine_of(to)._machine, float(tolerance), digits, despite_errors, exact_cycles
+            machine_of(to)._machine,
+            float(tolerance),
+            digits,
+            despite_errors,
+            exact_cycles,
+            axis_positions,
         )
         return _comparison.conversion(json.loads(answer))
 

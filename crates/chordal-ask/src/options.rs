@@ -124,6 +124,8 @@ pub struct ConvertOptions {
     pub despite_errors: bool,
     #[serde(default)]
     pub exact_cycles: bool,
+    #[serde(default)]
+    pub axis_positions: bool,
 }
 
 #[derive(Deserialize)]

@@ -109,6 +109,7 @@ pub fn conversion(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionF
         digits: options.digits,
         despite_errors: options.despite_errors,
         exact_cycles: options.exact_cycles,
+        axis_positions: options.axis_positions,
     };
     Ok(QuestionAnswer::text(conversion_json(&convert(&job, &target, &conversion_options), &job)))
 }

@@ -82,6 +82,11 @@ pub struct Args {
     #[arg(long)]
     exact_cycles: bool,
 
+    /// Writes the positions of the axes in place of the tip of the tool (tool centre point control, tilted planes), on the
+    /// same control too; another control always gets them
+    #[arg(long)]
+    axes: bool,
+
     /// Writes the program even if the motion is not the same
     #[arg(long)]
     unproved: bool,
@@ -104,6 +109,7 @@ pub fn run(args: &Args, terminal: TerminalSupport) -> Result<ExitVerdict, Comman
         digits: args.digits.map(usize::from),
         despite_errors: args.despite_errors,
         exact_cycles: args.exact_cycles,
+        axis_positions: args.axes,
     };
     let found = convert(&job, &target, &options);
     if let Some(path) = &args.certificate {

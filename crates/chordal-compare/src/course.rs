@@ -4,8 +4,8 @@ use chordal::control::{
     Command, CommandKind, CompensationSide, Coolant, EndReason, FeedMode, Origin, Overrides,
     PathMode, Position, RapidPath, RotarySurface, SpindleState,
 };
-use chordal::geometry::{Curve, ParamCurve};
-use chordal::path::PathBuilder;
+use chordal::geometry::{Curve, Line, ParamCurve, Transform};
+use chordal::path::{AxisMoves, PathBuilder, SegmentKind};
 use chordal::{Effect, Job, PathCommand, Report, RunWatch, Segment, SourceMap};
 
 use crate::ComparisonOptions;
@@ -275,6 +275,8 @@ struct RunRecorder<'j> {
     commands: u32,
     /// Takes every position as known.
     assume_known: bool,
+    /// Gives moves of the tip as moves of the axes; `None` where the tip is compared.
+    axes: Option<AxisMoves>,
 }
 
 impl<'j> RunRecorder<'j> {
@@ -308,6 +310,10 @@ impl<'j> RunRecorder<'j> {
             now,
             machine_places: None,
             assume_known: false,
+            axes: options.axes.map(|axes| {
+                let frame = job.path_builder().frame().clone();
+                AxisMoves::new(frame, axes.chain, axes.tolerance_mm)
+            }),
             commands: 0,
         }
     }
@@ -449,7 +455,9 @@ impl<'j> RunRecorder<'j> {
             Kind::PathMode(mode) => self.now.path_mode = *mode,
             Kind::Overrides(overrides) => self.now.overrides = *overrides,
             Kind::Surface { surface, .. } => self.now.surface = *surface,
-            Kind::PartFrame { frame, .. } => self.now.on_part = frame.is_some(),
+            Kind::PartFrame { frame, .. } => {
+                self.now.on_part = frame.is_some() && self.axes.is_none();
+            }
             Kind::End => (self.now.surface, self.now.on_part) = (None, false),
             // The effects of these are in the moves.
             Kind::Rapid { .. }
@@ -491,13 +499,41 @@ impl RunWatch for ProgrammedPathSink<'_, '_, '_> {
 }
 
 impl RunRecorder<'_> {
+    /// The segments of the axes of a move of the tip, where they are compared; `None` where the segments are those already.
+    fn axis_segments(&mut self, command: &Command, segments: &[Segment]) -> Option<Vec<Segment>> {
+        let axes = self.axes.as_mut()?;
+        if axes.follow(command) {
+            return None;
+        }
+        let (motion, first) = (command.kind.motion()?, segments.first()?);
+        let shift = Transform::translation(axes.shift_to_run(motion, first));
+        // What is not known stays a move of the tip.
+        let Some(pieces) = axes.pieces(&command.kind, motion).ok()? else {
+            return straight_rapid(segments).map(|whole| vec![whole]);
+        };
+        let moves = pieces.into_iter().filter_map(|timed| {
+            let whole = segments.get(timed.curve)?;
+            let curve = timed.piece.curve.transformed(&shift);
+            Some(Segment {
+                curve,
+                length_mm: curve.length(),
+                duration_s: whole.duration_s * timed.share,
+                rotary_from: timed.piece.rotary_from,
+                rotary_to: timed.piece.rotary_to,
+                ..*whole
+            })
+        });
+        Some(moves.collect())
+    }
+
     fn take(&mut self, command: &Command, segments: &[Segment]) {
         self.command(command);
         self.commands += 1;
         let is_of_machine = command.kind.motion().is_some()
             && self.machine_places.as_mut().is_some_and(|places| places.has(command.origin.span));
         let feed_mode = command.kind.feed().map(|feed| feed.mode);
-        for segment in segments {
+        let of_axes = self.axis_segments(command, segments);
+        for segment in of_axes.as_deref().unwrap_or(segments) {
             let turn = self.turn(segment);
             // From an unknown position, a move may have length zero in numbers although the machine moves.
             let is_counted = self.in_step && !segment.known && !self.assume_known;
@@ -511,7 +547,10 @@ impl RunRecorder<'_> {
                 length_mm: segment.length_mm,
                 known: (segment.known || self.assume_known) && !is_of_machine,
                 kind: kind(command),
-                feed: speed(command, segment),
+                feed: match self.axes.is_some() && segment.rotary_from != segment.rotary_to {
+                    true => duration_as_speed(command, segment),
+                    false => speed(command, segment),
+                },
                 per_revolution: feed_mode == Some(FeedMode::PerRevolution),
                 turn,
                 state: self.state(),
@@ -521,6 +560,22 @@ impl RunRecorder<'_> {
             self.push(moved);
         }
     }
+}
+
+/// The parts of a dog-leg as one straight line: rapids in a frame of the part are straight, and where those of the axes bend
+/// instead is told as a difference of the kind of rapid. `None` for other moves.
+fn straight_rapid(segments: &[Segment]) -> Option<Segment> {
+    let [first, .., last] = segments else { return None };
+    if first.kind != SegmentKind::Rapid {
+        return None;
+    }
+    let line = Line { start: first.curve.start(), end: last.curve.end() };
+    Some(Segment {
+        curve: Curve::Line(line),
+        length_mm: line.length(),
+        rotary_to: last.rotary_to,
+        ..*first
+    })
 }
 
 fn kind(command: &Command) -> ComparedMoveKind {
@@ -533,6 +588,12 @@ fn kind(command: &Command) -> ComparedMoveKind {
         CommandKind::Rapid { .. } => ComparedMoveKind::Rapid,
         _ => ComparedMoveKind::Cut,
     }
+}
+
+/// The duration of a move of the axes that follow the tip: how far X, Y and Z go meanwhile may be next to nothing.
+fn duration_as_speed(command: &Command, segment: &Segment) -> Option<CutSpeed> {
+    command.kind.feed()?;
+    (segment.duration_s > 0.0).then(|| CutSpeed::Turn(segment.duration_s.recip()))
 }
 
 /// The speed of a segment, from its duration without acceleration; `None` when unknown.

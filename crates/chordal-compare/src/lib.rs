@@ -47,6 +47,7 @@ use std::collections::BTreeSet;
 
 use chordal::geometry::Transform;
 pub use chordal::geometry::tolerance::COINCIDENT_MM;
+use chordal::machine::KinematicChain;
 use chordal::{Job, Machine, Report};
 
 pub use category::{Category, ComparingCommand, shared_reference};
@@ -92,12 +93,24 @@ pub struct ComparisonOptions {
     /// The caller compares the other sides of unknown conditions as separate runs, so blocks that those run are not
     /// compared by their words.
     pub separate_sides: bool,
+    /// Compares the axes of a machine where a program gives the tip of the tool (tool centre point control, tilted planes);
+    /// `None`: the tip.
+    pub axes: Option<ComparedAxes>,
     /// Lines of each program whose canned cycles may drill in different pecks: a hole counts as one cut from R to its
     /// bottom, and different pecks are reported separately ([`Comparison::pecks`]).
     pub free_pecks: [BTreeSet<u32>; 2],
     /// Lines of each program whose lathe cycles may cut in different passes: only the last pass is compared, and
     /// different passes are reported separately ([`Comparison::passes`]).
     pub free_passes: [FreePasses; 2],
+}
+
+/// The machine whose axes are compared.
+#[derive(Clone, Copy, Debug)]
+pub struct ComparedAxes {
+    /// Its rotary axes; `None` for a machine without any.
+    pub chain: Option<KinematicChain>,
+    /// How far the tip may leave its path between two places of the axes, mm.
+    pub tolerance_mm: f64,
 }
 
 impl Default for ComparisonOptions {
@@ -117,6 +130,7 @@ impl Default for ComparisonOptions {
             in_step: false,
             unknown_in_step: false,
             separate_sides: false,
+            axes: None,
             free_pecks: Default::default(),
             free_passes: Default::default(),
         }

@@ -59,7 +59,7 @@ mod write;
 
 pub use axis::{AXES, AXIS_LETTERS, AXIS_NAMES, Axis, PerAxis};
 pub use builtin::{builtin, builtin_names};
-pub use chordal_kinematics::RolloverRule;
+pub use chordal_kinematics::{KinematicChain, RolloverRule};
 pub use control::{ControlName, RegisteredControl, UnknownControl};
 pub use designation::{
     DesignationError, HolderDesignation, HolderKind, InsertDesignation, InsertLetter, ToolHand,

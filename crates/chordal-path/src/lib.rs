@@ -31,6 +31,7 @@
 
 #![forbid(unsafe_code)]
 
+mod axis_moves;
 mod axis_path;
 mod builder;
 mod checks;
@@ -51,6 +52,7 @@ mod surface;
 mod tip;
 mod turret_log;
 
+pub use axis_moves::{AxisMoves, AxisMovesError, TimedAxisPiece};
 pub use axis_path::{AxisPiece, axis_pieces, tip_pieces};
 pub use builder::{PathBuilder, RunFrame, duration_s};
 pub use checks::{CheckedRange, ChecksMemory, RunChecks, depth_mm};

@@ -486,12 +486,14 @@ impl Program {
         digits: Option<usize>,
         despite_errors: bool,
         exact_cycles: bool,
+        axis_positions: bool,
     ) -> PyResult<String> {
         let options = rewrite::convert::ConversionOptions {
             tolerance_mm,
             digits,
             despite_errors,
             exact_cycles,
+            axis_positions,
         };
         self.ask(py, |job| {
             let found = rewrite::convert::convert(job, &to.0, &options);

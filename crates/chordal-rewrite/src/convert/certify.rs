@@ -4,7 +4,9 @@ use std::collections::BTreeSet;
 
 use chordal::control::{CompensationSide, SurfaceShape};
 use chordal::{Code, Command, CommandKind, Control, Job, Report};
-use chordal_compare::{BlockRange, Category, Difference, DifferenceValue, FreePasses};
+use chordal_compare::{
+    BlockRange, Category, ComparedAxes, Difference, DifferenceValue, FreePasses,
+};
 
 use super::trace;
 use super::{ConversionOptions, codes};
@@ -12,6 +14,13 @@ use crate::{Certificate, prove, prove_contour};
 
 /// Whole categories of differences that belong to the machines.
 const OF_MACHINES: &[Category] = &[Category::RapidPath, Category::PathMode, Category::Overrides];
+
+/// How far an angle may be from the exact one where it is computed, rad: half of the last of its three decimals, and what the
+/// control rounds once more.
+const WRITTEN_ANGLE_TOLERANCE_RAD: f64 = 0.6e-3 * std::f64::consts::PI / 180.0;
+
+/// How far the duration of a move of the axes may be from that of the tip, a share: F is rounded.
+const WRITTEN_AXES_FEED_TOLERANCE: f64 = 2e-3;
 
 /// The lines of both texts whose cycles may be made in other steps.
 #[derive(Clone, Default)]
@@ -27,6 +36,8 @@ pub(super) struct ProofTerms {
     pub(super) free: FreeCycleLines,
     /// Text that was printed is a comment now.
     pub(super) printed: bool,
+    /// The axes that are compared where the old program gives the tip; `None` where it does not.
+    pub(super) axes: Option<ComparedAxes>,
     /// The languages are two: tool lengths are compared in another way, and variables have no counterpart.
     pub(super) is_other_language: bool,
 }
@@ -38,15 +49,19 @@ pub(super) fn proof(
     options: &ConversionOptions,
     terms: ProofTerms,
 ) -> Certificate {
-    let ProofTerms { free, printed, is_other_language } = terms;
+    let ProofTerms { free, printed, is_other_language, axes } = terms;
     let compensates = commands.iter().any(|command| {
         matches!(command.kind, CommandKind::Compensation { side, .. } if side != CompensationSide::Off)
     });
     let compare = chordal_compare::ComparisonOptions {
         tolerance_mm: options.tolerance_mm,
-        feed_tolerance: 1e-5,
+        feed_tolerance: if axes.is_some() { WRITTEN_AXES_FEED_TOLERANCE } else { 1e-5 },
         speed_tolerance: 1e-5,
-        rotary_tolerance_rad: rotary_tolerance(commands, options),
+        rotary_tolerance_rad: match axes {
+            Some(_) => WRITTEN_ANGLE_TOLERANCE_RAD,
+            None => rotary_tolerance(commands, options),
+        },
+        axes,
         // Both begin at the same place, and both machines have the same tables.
         assume_known: true,
         separate_sides: true,

@@ -23,6 +23,8 @@ pub(crate) struct ConvertContext<'a> {
     pub keeps_corners: bool,
     /// Cycles stay only where their pecks are the same too.
     pub exact_cycles: bool,
+    /// Moves of the tip are written as moves of the axes.
+    pub writes_axes: bool,
     /// The contours that cycles of a lathe cut.
     pub contours: &'a CycleContours,
     /// Live tools of a lathe that are started like the spindle.

@@ -41,10 +41,14 @@ impl ConvertContext<'_> {
         // A surface has words of its own.
         let flat = |frames: FrameKinds| FrameKinds { surface: false, ..frames };
         let (before, after) = (flat(run.before.frames), flat(run.after.frames));
-        if !(before.any() || after.any()) || self.same_control() {
+        let is_on_part = self.writes_axes && (before.part || after.part);
+        if !(before.any() || after.any()) || self.same_control() && !is_on_part {
             return Ok(());
         }
         let title = self.to.table.title;
+        if is_on_part {
+            return Err(NeedsExpansion("it gives the tip of the tool, not the axes".into()));
+        }
         if before.part || after.part {
             return Err(NeedsExpansion(format!("{title} may follow the tip in another way")));
         }

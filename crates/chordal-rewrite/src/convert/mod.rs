@@ -9,6 +9,7 @@
 //! Where one of the controls does not read word-address blocks, `posting` writes the program from its run.
 
 mod arcs;
+mod axis_positions;
 mod certify;
 pub(crate) mod codes;
 mod comments;
@@ -76,6 +77,9 @@ pub struct ConversionOptions {
     pub digits: Option<usize>,
     /// Problems that the program has on its own control do not keep it from being converted.
     pub despite_errors: bool,
+    /// Positions of the axes are written where the program gives those of the tip of the tool (tool centre point control,
+    /// tilted planes), on the same control too. On another control they always are.
+    pub axis_positions: bool,
     /// A cycle whose pecks the new control makes in other steps is written out as moves; without it,
     /// the cycle stays and what differs is reported.
     pub exact_cycles: bool,
@@ -87,6 +91,7 @@ impl Default for ConversionOptions {
             tolerance_mm: 0.005,
             digits: None,
             despite_errors: false,
+            axis_positions: false,
             exact_cycles: false,
         }
     }
@@ -187,7 +192,12 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
         return conversion;
     }
     let source = SourceBlocks::of(old);
-    let trace = ProgramTrace::of(old, &source);
+    let mut trace = ProgramTrace::of(old, &source);
+    let axes = axis_positions::compared_axes(&trace, [old.machine(), &conversion.machine], options);
+    if let Some(axes) = &axes {
+        conversion.refusals =
+            axis_positions::write_axes(&mut trace, old, &conversion.machine, axes);
+    }
     conversion.refusals.extend(missing_axes(old, &conversion.machine, &trace));
     if !conversion.refusals.is_empty() {
         return conversion;
@@ -210,11 +220,12 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
         keeps_rotations: frames::keeps_rotations(&source, from, to),
         keeps_corners: corners::keeps_corners(&source, &trace, from, to),
         exact_cycles: options.exact_cycles,
+        writes_axes: axes.is_some(),
     };
     let mut plan = ConvertPlan::new(&context, options);
     // Writing out more may end worse than before: the nearest attempt is the one that is shown.
     let mut best = usize::MAX;
-    let mut terms = ProofTerms::default();
+    let mut terms = ProofTerms { axes, ..ProofTerms::default() };
     let mut tried: BTreeMap<u32, ConvertRefusal> = BTreeMap::new();
     for round in 0..MAX_ROUNDS {
         let RenderedPlan { lines, changes, refusals, printed, unwritten } = plan.render();
@@ -227,7 +238,7 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
                 passes: passes::lines(&context, &plan, &layout),
             },
         };
-        let now = ProofTerms { free, printed, is_other_language: false };
+        let now = ProofTerms { free, printed, is_other_language: false, axes };
         let certificate = proof(&trace.commands, [old, &new], options, now.clone());
         let holds = certificate.holds() && refusals.is_empty();
         let more = !holds
@@ -306,7 +317,9 @@ pub fn prove_text(
     let new = job("converted", text, &found.machine)?;
     let source = SourceBlocks::of(old);
     let trace = ProgramTrace::of(old, &source);
-    Some(proof(&trace.commands, [old, &new], options, ProofTerms::default()))
+    let axes = axis_positions::compared_axes(&trace, [old.machine(), &found.machine], options);
+    let terms = ProofTerms { axes, ..ProofTerms::default() };
+    Some(proof(&trace.commands, [old, &new], options, terms))
 }
 
 /// Writes out the blocks that differ; false where there is nothing left to do.

@@ -2,6 +2,7 @@
 
 mod cycles;
 mod documents;
+mod five_axes;
 mod forms;
 mod kept;
 mod lathes;
