@@ -160,7 +160,8 @@ max_velocity = \"100 deg/s\"",
     TableSection {
         table: "rotary",
         about: "What the rotary axes turn and where they are. Pictures need `turns`, `reversed` and `center`; the kinematics of \
-                a machine need a `point` on each axis, and at most two axes. Runs do not use `rollover` yet.",
+                a machine need a `point` on each axis, and at most two axes. Where an axis has a `rollover`, its words are angles on the \
+                circle.",
         example: "
 [rotary.A]
 turns = \"table\"

@@ -12,6 +12,9 @@ use chordal_syntax::{Block, Letters, Word};
 use super::Interpreter;
 use super::literals::AXIS_OF;
 
+/// The number of linear axes, before which no axis rolls over.
+const LINEAR_AXES: usize = 3;
+
 const CENTER: Letters = Letters::of("IJK");
 
 impl Interpreter<'_> {
@@ -38,8 +41,11 @@ impl Interpreter<'_> {
             let axis = AXIS_OF[word.letter as usize] as usize;
             if axis < 6 && !word.comma {
                 let Some(value) = self.axis_value(word, axis) else { continue };
-                target[axis] =
-                    if self.kernel.state.incremental { from[axis] + value } else { value };
+                target[axis] = match (self.kernel.state.incremental, axis) {
+                    (true, _) => from[axis] + value,
+                    (false, 0..3) => value,
+                    (false, _) => self.rotary_target(axis, from[axis], value),
+                };
                 named.insert(axis);
             } else if let Some(axis) = self.increment_axis(word) {
                 let Some(by) = self.axis_value(word, axis) else { continue };
@@ -60,6 +66,15 @@ impl Interpreter<'_> {
             self.missing_axes(block, &mut target, &mut named);
         }
         (target, named)
+    }
+
+    /// The position of a rotary axis that a word names, rad: where the axis rolls over, the word is an angle on the circle,
+    /// and the position counts turns.
+    fn rotary_target(&self, axis: usize, from: f64, value: f64) -> f64 {
+        match self.machine.rotary[axis - LINEAR_AXES].rollover {
+            Some(rule) if self.kernel.state.known.has(axis) => from + rule.movement(from, value),
+            _ => value,
+        }
     }
 
     /// The axis that a letter moves by an increment (U for X); `None` for other letters.

@@ -227,6 +227,7 @@ fn the_travel_of_the_axes_is_checked_along_the_whole_move() {
     // The tip stays at X200 of the part while C turns by 360 degrees: both ends are at X-100, the middle at X-500.
     let narrow =
         TRUNNION.replace("[rotary.A]", "[axes.X]\ntravel = ['-450 mm', '0 mm']\n[rotary.A]");
+    let narrow = format!("{narrow}rollover = 'linear'\n");
     let text = format!("{START}G43.4 H1 Z20.\nG1 X200. Y0 Z20. F500.\nG1 C360. F500.\nM30\n");
     let job = job(machine(&narrow), &text);
     let found = job.check().diagnostics;
@@ -428,4 +429,19 @@ fn the_tip_is_found_again_from_the_axes() {
         assert_point([program[0], program[1], program[2]], [40.0, 5.0, 3.0]);
         assert_point(placed.in_run_frame(&program).to_array(), on_part);
     }
+}
+
+#[test]
+fn a_rotary_axis_rolls_over_by_the_rule_of_the_machine() {
+    let ends_of = |rule: &str| {
+        let own = format!("inherits = 'fanuc-30i'\n[axes.A]\n[rotary.A]\nrollover = '{rule}'\n");
+        let text = "G21 G90 G0 A0\nA-150.\nA540.\nA-620.\nG91 A380.\nA-840.\nM30\n";
+        let job = job(machine(&own), text);
+        let mut angles: Vec<f64> = ends(&job, 1e-3).iter().map(|end| end[3].round()).collect();
+        angles.retain(|angle| *angle != 0.0);
+        angles
+    };
+    assert_eq!(ends_of("shortest"), [-150.0, -180.0, -260.0, 120.0, -720.0]);
+    assert_eq!(ends_of("linear"), [-150.0, 540.0, -620.0, -240.0, -1080.0]);
+    assert_eq!(ends_of("sign"), [-210.0, -180.0, -460.0, -80.0, -920.0]);
 }
