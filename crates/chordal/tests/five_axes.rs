@@ -3,6 +3,8 @@
 //!
 //! `cargo test -p chordal --test five_axes -- --nocapture` prints what became of each.
 
+#![allow(clippy::disallowed_methods, reason = "a test reads the programs of its set")]
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::PathBuf;
