@@ -1,0 +1,11 @@
+(G254 while G234 is on.)
+(machine: umc)
+G21 G17 G90 G94
+G53 G0 Z0.
+T2 M6
+S6000 M3
+G54
+G0 B30. C0.
+G234 X0. Y0. Z80. H2
+G254 (= !)
+M30

@@ -1,0 +1,10 @@
+(G143 in G91.)
+(machine: haas-ab)
+G21 G17 G90 G94
+G53 G0 Z0.
+T2 M6
+S6000 M3
+G54
+G0 A0. B0. X0. Y0.
+G91 G143 H2 X10. Y0. Z0. A1. B0. (= !)
+M30

@@ -1,0 +1,10 @@
+(G68.3 with two of X Y Z.)
+(machine: ac)
+G21 G17 G90 G94 G40 G49 G80
+G28 G91 Z0.
+G90
+T2 M06
+G54 S6000 M03
+G0 A30. C20.
+G68.3 X10. Y0. R0. (= ! "PS5457")
+M30

@@ -1,0 +1,9 @@
+(G53.1 without a plane.)
+(machine: ac)
+G21 G17 G90 G94 G40 G49 G80
+G28 G91 Z0.
+G90
+T2 M06
+G54 S6000 M03
+G53.1 (= ! "PS5458")
+M30

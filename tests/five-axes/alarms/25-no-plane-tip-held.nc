@@ -1,0 +1,10 @@
+(G53.6 without a plane.)
+(machine: ac)
+G21 G17 G90 G94 G40 G49 G80
+G28 G91 Z0.
+G90
+T2 M06
+G54 S6000 M03
+G43 H2 Z100.
+G53.6 (= ! "PS5458")
+M30

@@ -1,0 +1,10 @@
+(G68.2 in G68.2 on a Mitsubishi.)
+(machine: mit)
+G21 G17 G90 G94 G40 G49 G80
+G28 G91 Z0.
+G90
+T2 M06
+G54 S6000 M03
+G68.2 J30.
+G68.2 J20. (= ! "M01 0185")
+M30

@@ -1,0 +1,8 @@
+(Polar interpolation twice.)
+(machine: mit)
+G21 G17 G90 G94 G40 G49 G80
+G54
+G0 X50. Y0. C0.
+G12.1
+G12.1 (= ! "P486")
+M30
