@@ -90,6 +90,8 @@ pub struct Parameters {
     pub most_digits: u8,
     /// How many digits of an inch F without a point are after the point.
     pub feed_digits_inch: u8,
+    /// The largest F in inverse time mode (G93), 1/min; infinite where no source gives one.
+    pub largest_inverse_time: f64,
     /// Which plane G18 and G19 choose.
     pub plane_codes: PlaneCodes,
     /// G0 cancels the direction that G2 or G3 has set, where these only set a direction.
@@ -355,6 +357,7 @@ impl Parameters {
         excess_decimals: ExcessDecimals::Unknown,
         most_digits: 0,
         feed_digits_inch: 0,
+        largest_inverse_time: f64::INFINITY,
         plane_codes: PlaneCodes::Standard,
         rapid_cancels_arc: false,
         center_and_radius: CenterAndRadius::RadiusWins,

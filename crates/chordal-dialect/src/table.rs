@@ -448,6 +448,7 @@ impl ControlTable {
             format: None,
             without_plane: None,
             unreachable: None,
+            rotary_with_vector: None,
         },
         face: None,
         cylinder: None,

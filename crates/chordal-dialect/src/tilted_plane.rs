@@ -11,4 +11,6 @@ pub struct TiltedPlaneRules {
     pub without_plane: Option<&'static str>,
     /// The axes of the machine cannot bring the tool upright on it.
     pub unreachable: Option<&'static str>,
+    /// A rotary axis is named while I, J and K give the direction of the tool (G43.5).
+    pub rotary_with_vector: Option<&'static str>,
 }

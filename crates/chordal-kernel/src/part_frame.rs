@@ -7,7 +7,7 @@ use chordal_command::{AxisMask, CommandKind, PartFrame, Position, ProgramOffsets
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::{Transform, Vec3};
 use chordal_kinematics::{AngleSign, KinematicChain, SolutionRule};
-use chordal_machine::TcpFrame;
+use chordal_machine::{AXES, AXIS_LETTERS, TcpFrame};
 
 use crate::kernel::Kernel;
 use crate::rules::RotaryChoice;
@@ -130,33 +130,40 @@ impl Kernel<'_> {
         axes
     }
 
-    /// Whether a tilted plane is in force.
+    /// A rotary axis with a work offset other than 0, and that offset, degrees.
+    pub fn rotary_work_offset(&self) -> Option<(char, f64)> {
+        let work = self.state.program_offsets().work;
+        let axis = (3..AXES).find(|axis| work[*axis] != 0.0)?;
+        Some((char::from(AXIS_LETTERS.as_bytes()[axis]), work[axis].to_degrees()))
+    }
+
+    /// Whether a tilted plane is in force; it may be level.
     pub fn has_tilted_plane(&self) -> bool {
-        self.state.part_frame.as_ref().is_some_and(|frame| !frame.is_level())
+        self.state.has_tilted_plane
     }
 
     /// From here on coordinates are those of a plane, which is given in the work coordinate system; the machine does not
-    /// move. The identity ends it.
-    pub fn set_tilted_plane(&mut self, plane: Transform) {
+    /// move. `None` ends it.
+    pub fn set_tilted_plane(&mut self, plane: Option<Transform>) {
         let follows_tip = self.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip);
-        if follows_tip || plane != Transform::identity() || self.state.part_frame.is_some() {
+        if plane.is_some() || self.state.part_frame.is_some() {
             self.set_part_frame(follows_tip, plane);
         }
     }
 
-    /// The tilted plane in force, in the work coordinate system; the identity without one.
-    pub fn tilted_plane(&self) -> Transform {
-        self.state.part_frame.as_ref().map_or(Transform::identity(), |frame| frame.plane)
+    /// The tilted plane in force, in the work coordinate system; `None` without one.
+    pub fn tilted_plane(&self) -> Option<Transform> {
+        let frame = self.state.part_frame.as_ref()?;
+        self.state.has_tilted_plane.then_some(frame.plane)
     }
 
     /// From here on coordinates are turned in space (G68 with I, J and K): the axes move along them however the rotary axes
-    /// stand. The identity ends it.
+    /// stand.
     pub fn set_space_rotation(&mut self, plane: Transform) {
         self.suspend_part_frame();
-        if plane != Transform::identity() {
-            let frame = self.part_frame_of(Some(KinematicChain::CARTESIAN), false, plane);
-            self.resume_part_frame(Arc::new(frame));
-        }
+        let frame = self.part_frame_of(Some(KinematicChain::CARTESIAN), false, plane);
+        self.resume_part_frame(Arc::new(frame));
+        self.state.has_tilted_plane = true;
     }
 
     /// Whether the coordinates are turned in space (G68 with I, J and K).
@@ -167,12 +174,13 @@ impl Kernel<'_> {
         })
     }
 
-    fn set_part_frame(&mut self, follows_tip: bool, plane: Transform) {
+    fn set_part_frame(&mut self, follows_tip: bool, plane: Option<Transform>) {
         self.suspend_part_frame();
-        self.state.origin_on_table = false;
-        if !follows_tip && plane == Transform::identity() {
+        (self.state.origin_on_table, self.state.has_tilted_plane) = (false, plane.is_some());
+        if !follows_tip && plane.is_none() {
             return;
         }
+        let plane = plane.unwrap_or(Transform::identity());
         let frame = self.part_frame_of(self.rotary_chain().ok(), follows_tip, plane);
         self.resume_part_frame(Arc::new(frame));
     }
@@ -223,14 +231,14 @@ impl Kernel<'_> {
         let plane = level.machine_axes(&place, &offsets);
         self.suspend_part_frame();
         self.resume_part_frame(Arc::new(PartFrame { plane, ..level }));
-        self.state.origin_on_table = true;
+        (self.state.origin_on_table, self.state.named_on_table) = (true, AxisMask::NONE);
         Ok(())
     }
 
     /// The origin no longer rides on the tables (Haas G255).
     pub fn end_origin_on_table(&mut self) {
         if std::mem::take(&mut self.state.origin_on_table) {
-            self.set_part_frame(false, Transform::identity());
+            self.set_part_frame(false, None);
         }
     }
 
@@ -299,7 +307,8 @@ impl Kernel<'_> {
         holds_tip: bool,
         sign: Option<AngleSign>,
     ) -> Result<(), TurnError> {
-        let Some(frame) = self.state.part_frame.clone().filter(|frame| !frame.is_level()) else {
+        let is_plane = self.state.has_tilted_plane;
+        let Some(frame) = self.state.part_frame.clone().filter(|_| is_plane) else {
             return Err(TurnError::NoPlane);
         };
         let angles = match self.angles_of_direction(&frame, Vec3::Z, sign) {
@@ -312,7 +321,7 @@ impl Kernel<'_> {
         };
         let paused = match holds_tip {
             true => {
-                self.set_part_frame(true, frame.plane);
+                self.set_part_frame(true, Some(frame.plane));
                 Some(Arc::clone(&frame)).filter(|frame| !frame.follows_tip)
             }
             false => self.suspend_part_frame(),

@@ -280,10 +280,14 @@ pub struct State {
     pub surface: Option<SurfaceState>,
     /// The frame of the part (tool centre point control, a tilted plane); `None` when coordinates are those of the axes.
     pub part_frame: Option<Arc<PartFrame>>,
+    /// The frame of the part is that of a tilted plane, perhaps a level one (G68.2 to G69).
+    pub has_tilted_plane: bool,
     /// Under tool centre point control the program gives the direction of the tool as a vector (G43.5).
     pub tool_by_vector: bool,
     /// The origin of the coordinates rides on the tables, and their axes stay those of the machine (Haas G254).
     pub origin_on_table: bool,
+    /// The linear axes that moves have named since then; Z only after X and Y.
+    pub named_on_table: AxisMask,
     /// Units of the program.
     pub units: Units,
     /// The plane of arcs and compensation.
@@ -372,8 +376,10 @@ impl State {
             polar: None,
             surface: None,
             part_frame: None,
+            has_tilted_plane: false,
             tool_by_vector: false,
             origin_on_table: false,
+            named_on_table: AxisMask::NONE,
             units: rules.units,
             plane: rules.starts_in,
             incremental: rules.starts_incremental,

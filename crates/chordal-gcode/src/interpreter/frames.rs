@@ -48,7 +48,7 @@ impl Interpreter<'_> {
         let is_simple = self.kernel.is_rotated_in_space() || self.kernel.state.part_frame.is_none();
         match plane_forms::about_axis(origin, axis, degrees.to_radians()) {
             Some(turned) if is_simple => {
-                let plane = turned.then(&self.kernel.tilted_plane());
+                let plane = turned.then(&self.active_plane());
                 self.kernel.set_space_rotation(plane);
             }
             _ => self.not_followed(&block.words[at], "a rotation about an axis by I, J and K"),

@@ -7,7 +7,7 @@ use chordal_dialect::{
     Action, AfterCode, BeforeCode, BlockStep, CallCode, LengthCode, ModeCode, OnceCode, ReadingCode,
 };
 use chordal_dialect::{CodeGroup, CodeRow, LiteralScale, PlaneCodes, code_number};
-use chordal_geometry::{Plane, Transform};
+use chordal_geometry::Plane;
 use chordal_kernel::LengthOffset;
 use chordal_kernel::rules::{ArcCenter, LengthWithoutNumber};
 use chordal_machine::Axis;
@@ -261,7 +261,7 @@ impl Interpreter<'_> {
             ModeCode::ReturnToR => self.kernel.state.return_to_r = true,
             ModeCode::RotationOff => {
                 self.kernel.end_rotation(&self.at(block));
-                self.kernel.set_tilted_plane(Transform::identity());
+                self.kernel.set_tilted_plane(None);
             }
             ModeCode::ScalingOff => self.kernel.end_scaling(),
             ModeCode::Polar { on } => self.kernel.set_polar(on),

@@ -68,6 +68,16 @@ impl Interpreter<'_> {
         (target, named)
     }
 
+    #[cold]
+    fn report_inverse_time(&mut self, word: &Word, value: f64) {
+        let most = self.control.parameters.largest_inverse_time;
+        let message = format!("F{} in inverse time (G93) is above {most}", number_text(value, 1));
+        let diagnostic = Diagnostic::new(Code::FeedOverLimit, self.span(word.range), message)
+            .label(format!("the block takes less than {:.2} ms", 60_000.0 / most))
+            .help(format!("make the block longer, or F {most} at most"));
+        self.kernel.report(diagnostic);
+    }
+
     /// The position of a rotary axis that a word names, rad: where the axis rolls over, the word is an angle on the circle,
     /// and the position counts turns.
     fn rotary_target(&self, axis: usize, from: f64, value: f64) -> f64 {
@@ -348,7 +358,12 @@ impl Interpreter<'_> {
         let plain = number.to_f64();
         let (feed, angular) = match self.kernel.state.feed_mode {
             FeedMode::PerTime => (per_minute / 60.0, plain.to_radians() / 60.0),
-            FeedMode::InverseTime => (plain / 60.0, plain / 60.0),
+            FeedMode::InverseTime => {
+                if plain > parameters.largest_inverse_time {
+                    self.report_inverse_time(&word, plain);
+                }
+                (plain / 60.0, plain / 60.0)
+            }
             FeedMode::PerRevolution => (per_minute, per_minute),
         };
         self.feed_number = Some((feed, plain));

@@ -58,7 +58,7 @@ impl Interpreter<'_> {
             TiltedPlaneCode::DefineByTool => self.define_plane_by_tool(block, at),
             TiltedPlaneCode::Off => {
                 self.unused_axes(block, |_, _| false);
-                self.kernel.set_tilted_plane(Transform::identity());
+                self.kernel.set_tilted_plane(None);
             }
             TiltedPlaneCode::Turn { holds_tip } => {
                 self.unused_axes(block, |_, _| false);
@@ -141,6 +141,11 @@ impl Interpreter<'_> {
         self.take_plane(block, at, plane, in_active);
     }
 
+    /// The plane in force; that of the work coordinate system without one.
+    pub(super) fn active_plane(&self) -> Transform {
+        self.kernel.tilted_plane().unwrap_or(Transform::identity())
+    }
+
     /// X, Y and Z of the block, mm.
     fn linear_words(&mut self, block: &Block) -> [Option<f64>; 3] {
         let [x, y, z, ..] = self.axis_words(block);
@@ -154,10 +159,10 @@ impl Interpreter<'_> {
             return self.not_followed(&word, "a plane without a direction");
         };
         let plane = match in_active {
-            true => plane.then(&self.kernel.tilted_plane()),
+            true => plane.then(&self.active_plane()),
             false => plane,
         };
-        self.kernel.set_tilted_plane(plane);
+        self.kernel.set_tilted_plane(Some(plane));
     }
 
     /// One of the blocks of G68.2 P2 or P3.
@@ -231,10 +236,10 @@ impl Interpreter<'_> {
                 let (by, angle) = open.shift;
                 let plane = plane_forms::shifted(&plane, by, angle);
                 let plane = match open.in_active {
-                    true => plane.then(&self.kernel.tilted_plane()),
+                    true => plane.then(&self.active_plane()),
                     false => plane,
                 };
-                self.kernel.set_tilted_plane(plane);
+                self.kernel.set_tilted_plane(Some(plane));
             }
             Err(message) => {
                 let diagnostic = Diagnostic::new(Code::TiltedPlane, open.at, message)
@@ -280,13 +285,23 @@ impl Interpreter<'_> {
     fn begin_origin_on_table(&mut self, block: &Block, at: usize) {
         let follows_tip =
             self.kernel.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip);
-        if follows_tip || self.kernel.has_tilted_plane() {
-            let name = self.code_text(block, at);
-            let message = match follows_tip {
-                true => format!("{name} while tool centre point control is on"),
-                false => format!("{name} while a tilted plane is in force"),
-            };
-            let help = "end it before: with G49 tool centre point control, with G269 a plane";
+        let name = self.code_text(block, at);
+        let in_force = [
+            (self.kernel.state.origin_on_table, "the dynamic work offset is on already"),
+            (follows_tip, "tool centre point control is on"),
+            (self.kernel.has_tilted_plane(), "a tilted plane is in force"),
+        ];
+        if let Some((_, what)) = in_force.into_iter().find(|(is_on, _)| *is_on) {
+            let message = format!("{name} while {what}");
+            let help =
+                "end it before: G255 the offset, G49 tool centre point control, G269 a plane";
+            self.report_plane(block, at, message, help, None);
+        }
+        let rotary = self.kernel.rotary_work_offset();
+        if let Some((letter, degrees)) = rotary {
+            let message = format!("{name} with {letter} at {degrees} deg in the work offset");
+            let help =
+                "set the rotary axes of the work offset to 0: the origin is turned from there";
             self.report_plane(block, at, message, help, None);
         }
         if self.kernel.begin_origin_on_table().is_err() {

@@ -2,12 +2,15 @@
 //! origin rides on the tables (G254).
 
 use chordal_command::{AxisMask, Position};
-use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Vec3;
-use chordal_kernel::TurnError;
+use chordal_kernel::{ModalMotion, TurnError};
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
+
+/// The index of Z among the axes.
+const Z: usize = 2;
 
 const VECTOR: Letters = Letters::of("IJK");
 
@@ -32,9 +35,37 @@ impl Interpreter<'_> {
         if named == AxisMask::NONE {
             return;
         }
+        if self.kernel.state.origin_on_table {
+            return self.straight_from_table(block, target, named);
+        }
+        self.kernel.straight(&self.at(block), target, named);
+    }
+
+    /// A straight move while the origin rides on the tables. X and Y, then Z are named before the first cut, because each
+    /// axis goes to its new place only when it is named (Haas mill manual, G254).
+    fn straight_from_table(&mut self, block: &Block, target: Position, named: AxisMask) {
+        let span = self.span(block.range);
+        if named.and(AxisMask::ROTARY) != AxisMask::NONE {
+            let message = "a rotary axis turns while the dynamic work offset is on";
+            let help = "end it with G255 before the axis turns, and begin it again after that";
+            let diagnostic = Diagnostic::new(Code::TiltedPlane, span, message).help(help);
+            self.kernel.report(diagnostic.severity(Severity::Warning));
+        }
+        let named_before = &mut self.kernel.state.named_on_table;
+        let now = named_before.or(named.and(AxisMask::LINEAR));
+        let is_in_order =
+            named_before.covers(AxisMask::XY) || !named.has(Z) || named.covers(AxisMask::XY);
+        *named_before =
+            if is_in_order { now } else { now.without(AxisMask::LINEAR.without(AxisMask::XY)) };
+        let is_placed = named_before.covers(AxisMask::LINEAR);
+        if self.kernel.state.motion == ModalMotion::Linear && !is_placed {
+            let message = "a cut after G254 before X and Y, and then Z were named";
+            let help = "move to X and Y and then to Z by a rapid before the cut";
+            self.kernel.report(Diagnostic::new(Code::TiltedPlane, span, message).help(help));
+            self.kernel.state.named_on_table = AxisMask::LINEAR;
+        }
         let at = self.at(block);
-        let only_turns = named.and(AxisMask::LINEAR) == AxisMask::NONE;
-        match self.kernel.state.origin_on_table && only_turns {
+        match named.and(AxisMask::LINEAR) == AxisMask::NONE {
             true => self.kernel.turn_with_origin(&at, target, named),
             false => self.kernel.straight(&at, target, named),
         }
@@ -46,7 +77,11 @@ impl Interpreter<'_> {
             let message = "a rotary axis while I, J and K are the direction of the tool";
             let help = "write the direction as I, J and K, or begin with G43.4 in place of G43.5";
             let span = self.words_span(block, Letters::of("ABC"));
-            return self.report_tool_vector(span, message.into(), help);
+            let Some(alarm) = self.control.table.tilted_plane.rotary_with_vector else {
+                return self.report_tool_vector(span, message.into(), help);
+            };
+            let diagnostic = Diagnostic::new(Code::ToolVector, span, message).help(help);
+            return self.report_refused(diagnostic, alarm);
         }
         if !block.letters().meets(VECTOR) {
             return;

@@ -77,12 +77,10 @@ impl RunChecks<'_> {
             }
             let bounds = path.bounds(0.0, 1.0, EXTREME_TOLERANCE_MM);
             let total = |axis: usize| offsets.work[axis] + offsets.tool[axis];
-            let at = |side: fn(&(f64, f64)) -> f64, inward: f64| {
-                std::array::from_fn(|axis| side(&bounds[axis]) + inward - total(axis))
-            };
-            // What the bounds may be outside of the truth is no alarm.
-            extremes.push(at(|bound| bound.0, EXTREME_TOLERANCE_MM));
-            extremes.push(at(|bound| bound.1, -EXTREME_TOLERANCE_MM));
+            // What the bounds may be outside of the truth is no alarm; an axis that stands has no other side to go to.
+            let inward = bounds.map(|(low, high)| EXTREME_TOLERANCE_MM.min((high - low) / 2.0));
+            extremes.push(std::array::from_fn(|axis| bounds[axis].0 + inward[axis] - total(axis)));
+            extremes.push(std::array::from_fn(|axis| bounds[axis].1 - inward[axis] - total(axis)));
         });
         for place in extremes {
             self.travel(&place, AxisMask::LINEAR, origin, report);

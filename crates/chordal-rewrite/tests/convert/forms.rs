@@ -104,8 +104,8 @@ fn programs_of_lathes_and_mills_are_refused_for_each_other_in_one_sentence() {
 
 #[test]
 fn what_has_no_form_is_said_with_its_line() {
-    // Tilted plane: the source control carries it out and Chordal does not.
-    let text = "G21 G90 S100 M3\nG0 X0 Y0 Z0\nG68.2 X0 Y0 Z0 I0 J30. K0\nG1 X1. F100.\nM30\n";
+    // Thread cutting: the source control carries it out and Chordal does not.
+    let text = "G21 G90 S100 M3\nG0 X0 Y0 Z0\nG33 Z-5. F2.\nG1 X1. F100.\nM30\n";
     let found = converted(&job(text, machine("fanuc-30i")), "haas-vf2");
     assert!(!found.holds());
     let said = found.refusals.iter().any(|refusal| refusal.line == 3);
@@ -186,7 +186,7 @@ fn a_tap_that_no_cycle_does_is_refused() {
 #[test]
 fn codes_that_are_not_carried_out_are_refused() {
     let begin = "O1\nT1 M6\nG20 G90 G54 S900 M3\nG0 X0 Y0 Z1.\n";
-    let line = "G68.2 X0 Y0 Z0 I0 J30. K0";
+    let line = "G33 Z-.5 F.1";
     let text = format!("{begin}{line}\nG1 X2. Y1. F10.\nM30\n");
     let there = converted(&job(&text, machine("fanuc-30i")), "haas-vf2");
     assert_eq!(there.refusals.len(), 1, "{line}: {:?}", there.refusals);

@@ -165,7 +165,7 @@ pub struct SavedModes {
     /// G17, G18, G19.
     pub plane: Plane,
     /// The plane that CYCLE800 has tilted on a machine with rotary axes.
-    pub tilted_plane: Transform,
+    pub tilted_plane: Option<Transform>,
     /// G70, G71.
     pub units: Units,
     /// G90, G91.

@@ -24,7 +24,7 @@ impl Interpreter<'_> {
     pub(super) fn swivel_plane(&mut self, numbers: &[Option<f64>], range: TextRange) {
         if numbers.iter().all(Option::is_none) {
             // CYCLE800() ends the swivelled plane.
-            self.kernel.set_tilted_plane(Transform::identity());
+            self.kernel.set_tilted_plane(None);
             let was_swivelled = self.modes.swivel != FrameMap::IDENTITY;
             self.modes.set_frames(self.modes.programmable, FrameMap::IDENTITY);
             if was_swivelled {
@@ -94,17 +94,19 @@ impl Interpreter<'_> {
         let plane = shift(SHIFT_AFTER).then(&rotation).then(&shift(SHIFT_BEFORE));
         let is_additive = number(STATUS).round() as i64 % 10 == 1;
         let before = self.kernel.tilted_plane();
-        let plane = if is_additive { plane.then(&before) } else { plane };
+        let plane = match before.filter(|_| is_additive) {
+            Some(before) => plane.then(&before),
+            None => plane,
+        };
         if number(RETRACT) != 0.0 {
             self.kernel.go_astray(AxisMask(1 << 2));
         }
         self.modes.last_direction = None;
-        self.kernel.set_tilted_plane(plane);
+        self.kernel.set_tilted_plane(Some(plane));
         if number(DIRECTION) == 0.0 {
             return;
         }
         match self.kernel.turn_to_plane(false, None) {
-            // Without a rotation there is nothing to turn to.
             Ok(()) | Err(TurnError::NoPlane) => {}
             Err(TurnError::NoKinematics(why)) => self.report_no_kinematics("CYCLE800", &why, range),
             Err(TurnError::Unreachable(why)) => {

@@ -85,6 +85,7 @@ pub(super) const TILTED_PLANE: TiltedPlaneRules = TiltedPlaneRules {
     format: Some("PS5457 G68.2 FORMAT ERROR"),
     without_plane: Some("PS5458 ILLEGAL USE OF G53.1"),
     unreachable: Some("PS5459 MACHINE PARAMETER INCORRECT"),
+    rotary_with_vector: None,
 };
 
 /// Alarm list of the 30i: three-dimensional coordinate conversion.

@@ -33,6 +33,8 @@ pub(super) const PARAMETERS: Parameters = Parameters {
         path: PATH,
         ..Rules::COMMON
     },
+    // Mill operator's manual, G93.
+    largest_inverse_time: 45_000.0,
     ..Parameters::COMMON
 };
 

@@ -31,6 +31,7 @@ pub static TABLE: ControlTable = ControlTable {
     open_m_codes: true,
     last_of_group_counts: true,
     spatial: Some(&rules::SPATIAL),
+    tilted_plane: rules::TILTED_PLANE,
     face: Some(&surface::FACE),
     cylinder: Some(&surface::CYLINDER),
     program_numbers: ProgramNumbers { largest: 99999999, digits: 4, required: true },

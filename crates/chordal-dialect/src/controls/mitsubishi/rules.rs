@@ -92,5 +92,14 @@ pub(super) const SPATIAL: SpatialRules = SpatialRules {
     scaling_in_offset: None,
 };
 
+/// M800/M80 alarm list (M01 0185, P33) and M700 programming manual p.479: tilted planes, direction of the tool by a vector.
+pub(super) const TILTED_PLANE: TiltedPlaneRules = TiltedPlaneRules {
+    twice: Some("M01 0185"),
+    format: None,
+    without_plane: Some("M01 0185"),
+    unreachable: None,
+    rotary_with_vector: Some("P33"),
+};
+
 /// Codes that are not allowed while a rotation in space is active: G41.1, G51, G52 and G54 to G59, in tenths.
 const NOT_INSIDE: &[u16] = &[411, 421, 510, 520, 540, 541, 550, 560, 570, 580, 590];
