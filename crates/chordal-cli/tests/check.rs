@@ -179,7 +179,7 @@ fn wrong_use_ends_with_two() {
 #[test]
 fn a_run_that_is_not_verified_ends_with_one() {
     let folder = Folder::new();
-    folder.write("polar.nc", "O1\nG21 G90 S900 M3\nG1 X9. F50.\nG43.5 H1\nX5.\nM30\n");
+    folder.write("polar.nc", "O1\nG21 G90 S900 M3\nG1 X9. F50.\nG33 Z-5. F2.\nX5.\nM30\n");
     let check = |severity: &str| {
         folder.run(&["check", "polar.nc", "-m", "fanuc-30i", "--fail-on", severity])
     };

@@ -45,6 +45,7 @@ mod surface_codes;
 mod turning;
 
 pub use checkpoint::{Checkpoint, CheckpointMemory};
+pub use chordal_kinematics::AngleSign;
 pub use coordinates::ToolValue;
 pub use corner_queue::{CornerForm, ProgrammedCorner};
 pub use cycles::HoleWords;

@@ -463,7 +463,8 @@ impl Offsets {
         let tool = self.tool_in_force();
         (self.known, self.system_known) = (AxisMask::NONE, AxisMask::NONE);
         for axis in 0..AXES {
-            let base = system.and_then(|values| values[axis].or_else(|| not_given(&values, axis)));
+            let base =
+                system.and_then(|values| values[axis].or_else(|| default_rotary(&values, axis)));
             let external = if machine { 0.0 } else { self.external[axis].unwrap_or(0.0) };
             self.system[axis] = base.unwrap_or(0.0) + external;
             self.work[axis] = self.system[axis] + self.shift[axis] + self.preset[axis];
@@ -483,7 +484,7 @@ impl Offsets {
 }
 
 /// The value of an axis that a work coordinate system does not give: where it gives a linear axis, the rotary ones are at 0.
-fn not_given(system: &[Option<f64>; AXES], axis: usize) -> Option<f64> {
+fn default_rotary(system: &[Option<f64>; AXES], axis: usize) -> Option<f64> {
     (axis >= LINEAR_AXES && system[..LINEAR_AXES].iter().any(Option::is_some)).then_some(0.0)
 }
 

@@ -30,7 +30,7 @@ pub enum AxisMovesError {
     UnknownKinematics,
     /// After a move of the axes, such as that of G53.1, the tip is not where it is on the machine of the run, and the next
     /// move is a cut.
-    TipElsewhere,
+    TipMismatch,
 }
 
 impl std::fmt::Display for AxisMovesError {
@@ -39,7 +39,7 @@ impl std::fmt::Display for AxisMovesError {
             AxisMovesError::UnknownPlace => {
                 "where the axes are depends on the work offset and the tool length, which are not all known"
             }
-            AxisMovesError::TipElsewhere => {
+            AxisMovesError::TipMismatch => {
                 "the rotary axes have turned about other points, and the tip of the new machine is elsewhere where this cut begins"
             }
             AxisMovesError::UnknownKinematics => {
@@ -142,7 +142,7 @@ impl AxisMoves {
             return Ok(None);
         }
         if kind.feed().is_some() {
-            return Err(AxisMovesError::TipElsewhere);
+            return Err(AxisMovesError::TipMismatch);
         }
         let end: Position = std::array::from_fn(|axis| {
             let moves = motion.from[axis] != motion.to[axis];
@@ -207,7 +207,7 @@ impl AxisMoves {
             return Ok(());
         }
         if kind.feed().is_some() {
-            return Err(AxisMovesError::TipElsewhere);
+            return Err(AxisMovesError::TipMismatch);
         }
         *timed = vec![rapid(start, end, [first.piece.rotary_from, last.piece.rotary_to])];
         Ok(())

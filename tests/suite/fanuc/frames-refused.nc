@@ -34,24 +34,24 @@ G69
 G68 X0 U0 I1. J0 K0 R30. (= none | ! CH438 "X and U" "PS0047" | ! CH304 | ! CH312)
 G69
 (Two of them, one in another, and no third.)
-G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH312)
-G68 X0 Y0 Z0 I0 J1. K0 R30. (= none | ! CH312)
-G68 X0 Y0 Z0 I0 J0 K1. R30. (= none | ! CH438 "rotation 3 in space" "PS5043" | ! CH312)
+G68 X0 Y0 Z0 I1. J0 K0 R30. (= none)
+G68 X0 Y0 Z0 I0 J1. K0 R30. (= none)
+G68 X0 Y0 Z0 I0 J0 K1. R30. (= none | ! CH438 "rotation 3 in space" "PS5043")
 G69
 (Compensation is off before it; a length offset is around it or inside it.)
 G41 D1 G1 X20. Y0
-G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "cutter compensation is on" "PS0049" | ! CH312)
+G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "cutter compensation is on" "PS0049")
 G69
 G40 G1 X40.
-G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH312)
+G68 X0 Y0 Z0 I1. J0 K0 R30. (= none)
 G43 H1
 G69 (= none | ! CH438 "does not end inside it" "PS0049")
-G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH312)
+G68 X0 Y0 Z0 I1. J0 K0 R30. (= none)
 G43 H1 (= none | ! CH438 "another length offset" "PS0049")
 G49
 G69 (= none | ! CH438 "ends inside it" "PS0049")
 G43 H1
-G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH312)
+G68 X0 Y0 Z0 I1. J0 K0 R30. (= none)
 G69
 G49
 (An offset in space is not followed, and scaling may not begin in it.)

@@ -18,7 +18,7 @@ G69
 (A rotation about an axis in space: what may not be active, beside it or in it.)
 G0 X0 Y0
 G41 D1 G1 X20. Y0
-G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "cutter compensation is on" "P922" | ! CH312)
+G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "cutter compensation is on" "P922")
 G69
 G40 G1 X40.
 G43.4 H1 (= none | ! CH448)
@@ -26,10 +26,10 @@ G68.1 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "G43.4 is active" "P922" | ! CH3
 G49
 G69
 G43.1 H1 (= none | ! CH312)
-G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "G43.1 is active" "P931" | ! CH312)
+G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "G43.1 is active" "P931")
 G49
 G69
-G55 G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "G55 in the block" "P923" | ! CH312)
+G55 G68 X0 Y0 Z0 I1. J0 K0 R30. (= none | ! CH438 "G55 in the block" "P923")
 G52 X1. (= none | ! CH438 "G52 while a rotation in space is active" "P921")
 G52 X0 (= none | ! CH438 "P921")
 G54 (= none | ! CH438 "P921")

@@ -23,5 +23,5 @@ G69
 G54
 G68.2 X0 Y0 Z0 I0 J30. K0 (= none)
 G69
-G68.2 P2 Q1 X0 Y0 Z0 (= none | ! CH312 "another way to define the plane")
+G68.2 P2 Q1 X0 Y0 Z0 (= none | ! CH449 "without Q2" | ! CH312 "the plane is not known")
 M30

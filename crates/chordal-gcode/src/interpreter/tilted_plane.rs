@@ -4,8 +4,7 @@ use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_dialect::{CodeRow, TiltedPlaneCode};
 use chordal_geometry::{Transform, Vec3};
-use chordal_kernel::TurnError;
-use chordal_kinematics::AngleSign;
+use chordal_kernel::{AngleSign, TurnError};
 use chordal_syntax::Block;
 
 use super::{Interpreter, plane_forms};
@@ -245,8 +244,10 @@ impl Interpreter<'_> {
                 let diagnostic = Diagnostic::new(Code::TiltedPlane, open.at, message)
                     .help("give every part of the plane, in blocks that follow each other");
                 self.report_plane_diagnostic(diagnostic, rules.format);
-                let origin = self.kernel.origin;
-                self.lose_path(origin.span.range, "the plane is not known".to_string());
+                // The first block may stand in another file.
+                let own = Some(open.at).filter(|at| at.file == self.file);
+                let at = own.unwrap_or(self.kernel.origin.span);
+                self.lose_path(at.range, "the plane is not known".to_string());
             }
         }
     }

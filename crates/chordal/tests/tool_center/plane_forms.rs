@@ -113,16 +113,30 @@ point = { X = '-300 mm', Y = '-200 mm' }
     for (turn, expected) in [
         ("G0 B90. C0\nG254", [-319.0, -210.0, -288.0]),
         ("G0 B90. C90.\nG254", [-319.0, -210.0, -308.0]),
-        // The origin rides on while it is on, and no longer after G255.
-        ("G254\nG0 B90. C0", [-319.0, -210.0, -288.0]),
         ("G0 B90. C0\nG254\nG255\nG0 B0", [-289.0, -210.0, -278.0]),
     ] {
-        let text = format!("{start}G43 H1 Z100.\n{turn}\nG1 X1. Y0 F500.\nZ2.\nM30\n");
+        let moves = "G0 X1. Y0\nZ20.\nG1 Z2. F500.\nM30\n";
+        let text = format!("{start}G43 H1 Z100.\n{turn}\n{moves}");
         assert_near(&last_end(own, &text), expected);
     }
-    let text = format!("{start}G254\nG234 H1 Z50.\nM30\n");
-    let found = job(machine(own), &text).check().diagnostics;
-    assert!(found.iter().any(|found| found.code == Code::TiltedPlane), "{found:?}");
+    let told = |lines: &str, severity: Severity, message: &str| {
+        let text = format!("{start}G43 H1 Z100.\n{lines}\nM30\n");
+        let job = job(machine(own), &text);
+        let found = job.check().diagnostics;
+        let found = found.iter().find(|found| found.message.contains(message));
+        assert!(found.is_some_and(|found| found.severity == severity), "{lines}: {found:?}");
+        *ends(&job, 1e-3).last().expect("moves")
+    };
+    let cut = "a cut after G254 before X and Y";
+    told("G254\nG1 X1. Y0 F500.", Severity::Error, cut);
+    told("G254\nG0 Z50.\nX1. Y0\nG1 X5. F500.", Severity::Error, cut);
+    told("G254\nG234 H1 Z50.", Severity::Error, "G234 while the dynamic work offset is on");
+    told("G254\nG254", Severity::Error, "G254 while the dynamic work offset is on already");
+    told("G10 L2 P1 B5.\nG254", Severity::Error, "G254 with B at 5 deg in the work offset");
+    // The axes stand while the table turns, and the origin rides on.
+    let turning = "G254\nG0 X0 Y0\nZ50.\nB90.\nX1. Y0\nZ20.\nG1 Z2. F500.";
+    let end = told(turning, Severity::Warning, "a rotary axis turns while");
+    assert_near(&end, [-319.0, -210.0, -288.0]);
 }
 
 #[test]
