@@ -264,7 +264,9 @@ impl TravelWatcher {
             let offset = &mut offsets[place];
             let moves = |axis: &Axis| {
                 let index = *axis as usize;
-                system.all[index].get().is_some() || index < 3
+                // A rotary axis that stands at 0 needs no value.
+                let turns = system.all[index].get().is_some_and(|range| range != (0.0, 0.0));
+                turns || index < 3
             };
             for axis in Axis::ALL.into_iter().filter(moves) {
                 let letter = axis.letter();
