@@ -478,6 +478,7 @@ impl Program {
     }
 
     /// The program for another machine: changes, proof and text as JSON.
+    #[allow(clippy::too_many_arguments, reason = "each is an argument of the method in Python")]
     fn convert(
         &self,
         py: Python<'_>,

@@ -157,10 +157,12 @@ point = { X = '-300 mm', Y = '-200 mm' }
     assert!(verdict(&found).contains("turn the tool in another way"), "{}", verdict(&found));
 }
 
-/// Random programs: lines with turning axes, arcs and holes in planes, rapids.
+/// Random programs: lines with turning axes, arcs and holes in planes, rapids. CHORDAL_ROUNDS is their number.
 #[test]
+#[allow(clippy::disallowed_methods, reason = "how long a random test runs is for its caller")]
 fn random_programs_are_proved() {
-    let rounds: u64 = std::env::var("ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
+    let rounds: u64 =
+        std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(60);
     let (mut proved, mut farthest) = (0, 0.0_f64);
     for seed in 0..rounds {
         let (text, ends) = random_program(seed);
