@@ -7,6 +7,7 @@ use chordal_path::{PathBuilder, PathCommand, RunChecks, Segment};
 
 use crate::compensation_sink::CompensationSink;
 use crate::job::Job;
+use crate::motion::PlacedPartFrame;
 use crate::summary::{Summary, SummaryBuilder};
 use crate::tool_comments::contradicted_tools;
 
@@ -313,6 +314,11 @@ impl<'m, 'w> ReportSink<'m, 'w> {
     /// The segments of path of the last command.
     pub fn segments(&self) -> &[Segment] {
         &self.segments
+    }
+
+    /// The frame of the part in which they lie.
+    pub fn part_frame(&self) -> Option<PlacedPartFrame> {
+        PlacedPartFrame::of(&self.builder)
     }
 
     pub fn finish(self, outcomes: Vec<Outcome>) -> Report {

@@ -20,8 +20,8 @@ use super::corner::{CornerRequest, PieceEnd, corner_of};
 use super::operations::OperationFinder;
 use super::options::ActiveMotionModes;
 use super::{
-    MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, MotionWait, RefusedMove,
-    StepKind, StepSource, UnknownAxes, WaitKind,
+    MachineLimits, MotionOptions, MotionReport, MotionSink, MotionStep, MotionWait,
+    PlacedPartFrame, RefusedMove, StepKind, StepSource, UnknownAxes, WaitKind,
 };
 use crate::job::Job;
 
@@ -503,19 +503,29 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         true
     }
 
-    /// Takes a command and its path segments.
-    pub fn follow(&mut self, command: &Command, segments: &[Segment]) {
+    /// Takes a command and its path segments, and the frame of the part in which they lie.
+    pub fn follow(
+        &mut self,
+        command: &Command,
+        segments: &[Segment],
+        part_frame: Option<PlacedPartFrame>,
+    ) {
         self.power_of_laser(command, !segments.is_empty());
         self.sink.command(command);
         if segments.is_empty() {
             return self.other_command(command);
         }
-        self.moves(command, segments);
+        self.moves(command, segments, part_frame);
         self.pieces += segments.len() as u64;
     }
 
     /// Makes the steps of a command that moves.
-    fn moves(&mut self, command: &Command, segments: &[Segment]) {
+    fn moves(
+        &mut self,
+        command: &Command,
+        segments: &[Segment],
+        part_frame: Option<PlacedPartFrame>,
+    ) {
         let Some((last, bends)) = segments.split_last() else { return };
         let last_piece = self.pieces + bends.len() as u64;
         let is_one = bends.is_empty() && last.kind != SegmentKind::Spline;
@@ -526,7 +536,9 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             }
         }
         let cycle = command.origin.cycle;
-        if last.on_part && self.follows_tip(command, segments) {
+        if let Some(part_frame) = part_frame
+            && self.follows_tip(command, segments, part_frame)
+        {
             return;
         }
         match bends.first() {
@@ -573,7 +585,8 @@ impl<S: MotionSink> PathSink for MotionBuilder<'_, S> {
         let mut segments = std::mem::take(&mut self.segments);
         segments.clear();
         self.path.command(path.command, |segment| segments.push(*segment));
-        self.follow(path.command, &segments);
+        let part_frame = PlacedPartFrame::of(&self.path);
+        self.follow(path.command, &segments, part_frame);
         self.segments = segments;
     }
 

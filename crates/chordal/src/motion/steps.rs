@@ -7,7 +7,7 @@ use chordal_diagnostics::Diagnostic;
 use chordal_geometry::Vec3;
 use chordal_kernel::Outcome;
 use chordal_motion::{AxisValues, MoveError, MoveRequest};
-use chordal_path::SegmentKind;
+use chordal_path::{PathBuilder, SegmentKind};
 
 use super::{MachineLimits, OperationMark};
 
@@ -207,6 +207,13 @@ pub struct PlacedPartFrame {
 }
 
 impl PlacedPartFrame {
+    /// That of the last command of a path; `None` where its coordinates are those of the axes.
+    pub(crate) fn of(path: &PathBuilder) -> Option<PlacedPartFrame> {
+        let frame = Arc::clone(path.frame().part_frame.as_ref()?);
+        let offsets = path.frame().offsets();
+        Some(PlacedPartFrame { frame, offsets, shift: path.shift_to_run() })
+    }
+
     /// The position of the tip in program coordinates, from the positions of the axes without the offsets, mm and rad.
     pub fn program_position(&self, axes: &Position) -> Position {
         self.frame.tip_of_axes(axes, &self.offsets)

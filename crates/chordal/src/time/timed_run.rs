@@ -209,7 +209,7 @@ impl<P: PathPart> PathSink for ReportAndTime<'_, '_, P> {
             };
             self.left = left;
         }
-        motion.follow(path.command, self.report.segments());
+        motion.follow(path.command, self.report.segments(), self.report.part_frame());
     }
 
     fn diagnostic(&mut self, diagnostic: Diagnostic, origin: &Origin) {

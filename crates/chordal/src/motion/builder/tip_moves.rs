@@ -1,7 +1,5 @@
 //! Moves in a frame of the part: the tip follows the path, and the axes are planned.
 
-use std::sync::Arc;
-
 use chordal_command::Command;
 use chordal_geometry::ParamCurve;
 use chordal_path::{Segment, axis_pieces, tip_pieces};
@@ -12,22 +10,22 @@ use crate::motion::{MotionSink, PlacedPartFrame};
 
 impl<S: MotionSink> MotionBuilder<'_, S> {
     /// Makes steps of the axes while the tip follows the path segments. Returns false where the kinematics are not known.
-    pub(super) fn follows_tip(&mut self, command: &Command, segments: &[Segment]) -> bool {
-        let (frame, shift) = (self.path.frame(), self.path.shift_to_run());
-        let (Some(part_frame), Some(motion)) = (frame.part_frame.clone(), command.kind.motion())
-        else {
-            return false;
-        };
-        let (offsets, tolerance_mm) = (frame.offsets(), self.axis_chord_tolerance_mm);
+    pub(super) fn follows_tip(
+        &mut self,
+        command: &Command,
+        segments: &[Segment],
+        placed: PlacedPartFrame,
+    ) -> bool {
+        let Some(motion) = command.kind.motion() else { return false };
+        let tolerance_mm = self.axis_chord_tolerance_mm;
         let mut parts = Vec::new();
         let mut index = 0;
         tip_pieces(&command.kind, motion, |curve, ends| {
-            let pieces = axis_pieces(&part_frame, curve, ends, &offsets, tolerance_mm);
+            let pieces = axis_pieces(&placed.frame, curve, ends, &placed.offsets, tolerance_mm);
             parts.extend(pieces.into_iter().flatten().map(|piece| (index, piece)));
             index += 1;
         });
         let count = parts.len();
-        let placed = PlacedPartFrame { frame: Arc::clone(&part_frame), offsets, shift };
         self.part_frame = Some(self.number_of_frame(placed));
         for (at, (index, piece)) in parts.iter().enumerate() {
             let Some(whole) = segments.get(*index) else { break };
