@@ -7,7 +7,7 @@
 //! | cut → cut | by the path mode of the block that ends: many short ones as one curve where the control joins them, otherwise each corner by itself |
 //! | within one spline | by the path mode, and without a stop in exact stop mode |
 //! | a cycle's cut that turns round (the bottom of a hole) | at rest: a hole has its depth |
-//! | between chords of one curve of the axes (tool centre point control) | within the tolerance of the chords |
+//! | between chords of one curve of the axes (tool centre point control) | as one curve, within the tolerance of the chords, or that of the path mode where it joins blocks |
 //! | before a wait | at rest |
 
 use chordal_command::PathMode;
@@ -61,8 +61,15 @@ pub(super) fn corner_of(
 ) -> CornerMode {
     use MoveKind::{Cut, Rapid};
     let rotary_rad = active.rotary_tolerance_rad;
-    if let Some(linear_mm) = ending.chord_tolerance_mm {
-        return CornerMode::Blended { linear_mm, rotary_rad };
+    if let Some(chord_mm) = ending.chord_tolerance_mm {
+        // The chords stand for one smooth curve, and join on to those of other blocks where the blocks join.
+        let linear_mm = match ending.mode {
+            PathMode::Continuous { tolerance_mm, joined: true } => {
+                tolerance_mm.unwrap_or(active.corner_tolerance_mm).max(chord_mm)
+            }
+            _ => chord_mm,
+        };
+        return CornerMode::Joined { linear_mm, rotary_rad };
     }
     let stops = match (last.kind, next.kind) {
         (Rapid, Rapid) if ending.bends => return rapid_bend(active),
