@@ -1,0 +1,17 @@
+0 BEGIN PGM F23 MM
+1 ; = kind step smaller than the tool without M97 ; = says TOOL RADIUS TOO LARGE
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+10 Y-30 R0 FMAX
+8 L Z-3 F500
+9 L X+10 Y+0 RR F300
+10 L X+40 ; = fault
+11 L IY+0.5 ; = fault
+12 L X+80 ; = fault
+13 L Y-30 R0
+14 L Z+50 R0 FMAX
+15 M30
+16 END PGM F23 MM

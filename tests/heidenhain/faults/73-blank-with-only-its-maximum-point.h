@@ -1,0 +1,13 @@
+0 BEGIN PGM F73 MM
+1 ; = kind blank with only its maximum point
+2 BLK FORM 0.2 X+100 Y+80 Z+0 ; = fault
+3 TOOL DEF 1 L+0 R+5
+4 TOOL CALL 1 Z S3000
+5 L Z+50 R0 FMAX M3
+6 L X+20 Y+20 R0 FMAX
+7 L Z+2 FMAX
+8 L Z-3 F200
+9 L X+60 F300
+10 L Z+50 R0 FMAX
+11 M30
+12 END PGM F73 MM

@@ -1,0 +1,18 @@
+0 BEGIN PGM ZOLL INCH
+1 ; = clean
+2 ; positions behind the equal sign are mm
+3 BLK FORM 0.1 Z X+0 Y+0 Z-0.75
+4 BLK FORM 0.2 X+4 Y+3 Z+0
+5 TOOL CALL 17 Z S3000
+6 L Z+2 R0 FMAX M3 ; = Z+50.8
+7 L X-.5 Y+1 FMAX ; = X-12.7 Y+25.4 Z+50.8
+8 L Z-.125 F100 ; = X-12.7 Y+25.4 Z-3.175
+9 L X+1 F150 ; = X+25.4 Y+25.4 Z-3.175
+10 CC X+1 Y+1.5
+11 C X+1.5 Y+1.5 DR+ ; = X+38.1 Y+38.1 Z-3.175 ; = centre X+25.4 Y+38.1
+12 L IY+.25 IX+.125 ; = X+41.275 Y+44.45 Z-3.175
+13 CR X+2.625 Y+1.75 R+.5 DR- ; = X+66.675 Y+44.45 Z-3.175 ; = centre X+53.975 Y+44.45
+14 L X+4.5 ; = X+114.3 Y+44.45 Z-3.175
+15 L Z+2 FMAX ; = X+114.3 Y+44.45 Z+50.8
+16 M30 ; = end X+114.3 Y+44.45 Z+50.8
+17 END PGM ZOLL INCH

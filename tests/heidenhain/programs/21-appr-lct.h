@@ -1,0 +1,18 @@
+0 BEGIN PGM ANFAHRLCT MM
+1 ; = clean
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+100 Z+0
+4 TOOL DEF 21 L+0 R+10
+5 TOOL CALL 21 Z S3000
+6 L Z+250 R0 FMAX M3
+7 L X-10 Y-10 R0 FMAX ; = X-10 Y-10 Z+250
+8 L Z-8 R0 F1000 M8 ; = X-10 Y-10 Z-8
+9 APPR LCT X+5 Y+5 R5 RL F300 ; = path X-5.286 Y+3.333 ; = path X-5 Y+5 ; = centre X-10 Y+5
+10 L Y+95 ; = path X-5 Y+95 ; = path X+5 Y+105
+11 L X+95 ; = path X+95 Y+105 ; = path X+105 Y+95
+12 L Y+5 ; = path X+105 Y+5 ; = path X+95 Y-5
+13 L X+5 ; = path X+5 Y-5
+14 DEP LCT X-20 Y-20 R5 F1000 ; = path X+2.313 Y-5.783 ; = X-20 Y-20 Z-8 ; = centre X+5 Y-10
+15 L Z+250 R0 FMAX M9 ; = X-20 Y-20 Z+250
+16 M2 ; = end X-20 Y-20 Z+250
+17 END PGM ANFAHRLCT MM

@@ -1,0 +1,18 @@
+0 BEGIN PGM GEWFRAES MM
+1 ; = clean
+2 ; thread M64 x 1.5 in a bore, radius 32 on the pitch line, tool of 10
+3 BLK FORM 0.1 Z X+0 Y+0 Z-20
+4 BLK FORM 0.2 X+100 Y+100 Z+0
+5 TOOL DEF 22 L+0 R+5
+6 TOOL CALL 22 Z S1400
+7 L Z+250 R0 FMAX M3
+8 L X+50 Y+50 R0 FMAX ; = X+50 Y+50 Z+250
+9 CC
+10 L Z-12.75 R0 F1000 M8 ; = X+50 Y+50 Z-12.75
+11 APPR PCT PR+32 PA-180 CCA180 R+2 RL F100 ; = path X+27 Y+50 ; = path X+23 Y+50 ; = centre X+25 Y+50
+12 CP IPA+3240 IZ+13.5 DR+ F200 ; = path X+23 Y+50 ; = centre X+50 Y+50
+13 DEP CT CCA180 R+2 ; = X+27 Y+50 Z+0.75 ; = centre X+25 Y+50
+14 L X+50 Y+50 R0 FMAX ; = X+50 Y+50 Z+0.75
+15 L Z+250 R0 FMAX M9 ; = X+50 Y+50 Z+250
+16 M2 ; = end X+50 Y+50 Z+250
+17 END PGM GEWFRAES MM

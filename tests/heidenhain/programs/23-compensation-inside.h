@@ -1,0 +1,21 @@
+0 BEGIN PGM INNEN MM
+1 ; = clean
+2 BLK FORM 0.1 Z X+0 Y+0 Z-15
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 23 L+0 R+6
+5 TOOL CALL 23 Z S3500
+6 L Z+50 R0 FMAX M3
+7 L X+50 Y+40 FMAX ; = X+50 Y+40 Z+50
+8 L Z+1 FMAX ; = X+50 Y+40 Z+1
+9 L Z-4 F150 ; = X+50 Y+40 Z-4
+10 L X+50 Y+20 RL F400 ; = path X+50 Y+26
+11 L X+80
+12 RND R10 ; = path X+70 Y+26 ; = path X+74 Y+30 ; = centre X+70 Y+30
+13 L Y+60 ; = path X+74 Y+54
+14 L X+20 ; = path X+26 Y+54
+15 L Y+20 ; = path X+26 Y+26
+16 L X+50 ; = path X+50 Y+26
+17 L Y+40 R0 ; = X+50 Y+40 Z-4
+18 L Z+50 FMAX ; = X+50 Y+40 Z+50
+19 M30 ; = end X+50 Y+40 Z+50
+20 END PGM INNEN MM

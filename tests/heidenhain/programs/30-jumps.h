@@ -1,0 +1,34 @@
+0 BEGIN PGM SPRUNG MM
+1 ; = clean
+2 ; depth by depth with FN jumps
+3 FN 0: Q1 = +0 ;DEPTH NOW
+4 FN 0: Q2 = -7.5 ;END
+5 FN 0: Q3 = +2 ;STEP
+6 FN 0: Q4 = +0 ;PASSES
+7 BLK FORM 0.1 Z X+0 Y+0 Z-10
+8 BLK FORM 0.2 X+60 Y+40 Z+0
+9 TOOL CALL 30 Z S3500
+10 L Z+20 R0 FMAX M3
+11 L X-10 Y+20 FMAX ; = X-10 Y+20
+12 L Z+1 FMAX
+13 LBL 10
+14 FN 2: Q1 = +Q1 - +Q3
+15 FN 1: Q4 = +Q4 + +1
+16 FN 11: IF +Q1 GT +Q2 GOTO LBL 11
+17 FN 0: Q1 = +Q2
+18 LBL 11
+19 L Z+Q1 F200 ; = X-10 Y+20 Z-7.5 ; = runs 4
+20 L X+70 F500
+21 L Z+1 FMAX
+22 L X-10 FMAX
+23 FN 10: IF +Q1 NE +Q2 GOTO LBL 10 ; = Q1=-7.5 ; = Q4=+4
+24 ; four passes are right, anything else is an alarm
+25 FN 9: IF +Q4 EQU +4 GOTO LBL 13
+26 FN 0: Q4 = -1
+27 LBL 13
+28 FN 12: IF +Q4 LT +0 GOTO LBL 99
+29 L Z+20 FMAX ; = X-10 Y+20 Z+20
+30 M30 ; = end X-10 Y+20 Z+20
+31 LBL 99
+32 FN 14: ERROR = 1000
+33 END PGM SPRUNG MM

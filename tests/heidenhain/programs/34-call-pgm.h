@@ -1,0 +1,18 @@
+0 BEGIN PGM 34-CALL-PGM MM
+1 ; = clean
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+100 Z+0
+4 TOOL CALL 34 Z S2400
+5 L Z+50 R0 FMAX M3
+6 L X+20 Y+20 FMAX ; = X+20 Y+20
+7 FN 0: Q1 = +8 ;SIDE
+8 FN 0: Q2 = -3 ;DEPTH
+9 CALL PGM TNC:\NC\34-called.h
+10 ; parameters of the called program stay
+11 L X+60 Y+Q5 FMAX ; = X+60 Y+46 Z+2
+12 FN 0: Q1 = +15
+13 CALL PGM 34-called.h
+14 L X+60 Y+Q5 FMAX ; = X+60 Y+60 Z+2
+15 L Z+50 FMAX ; = X+60 Y+60 Z+50
+16 M30 ; = end X+60 Y+60 Z+50
+17 END PGM 34-CALL-PGM MM

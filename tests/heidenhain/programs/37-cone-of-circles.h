@@ -1,0 +1,22 @@
+0 BEGIN PGM KEGEL MM
+1 ; = clean
+2 ; cone milled in circles that grow as the tool goes down
+3 FN 0: Q10 = +0
+4 FN 0: Q11 = +10
+5 FN 0: Q12 = +1.5
+6 BLK FORM CYLINDER Z R40 L30
+7 TOOL CALL 37 Z S5000
+8 L Z+50 R0 FMAX M3
+9 CC X+0 Y+0
+10 L X+45 Y+0 FMAX ; = X+45 Y+0
+11 LBL "EBENE"
+12 Q10 = Q10 - Q12
+13 Q11 = Q11 + Q12 * TAN 30
+14 L Z+Q10 F500 ; = X+45 Y+0 Z-7.5 ; = runs 5
+15 L X+Q11 F300
+16 C X+Q11 Y+0 DR- ; = X+14.33 Y+0 Z-7.5 ; = runs 5
+17 L X+45
+18 FN 11: IF +Q10 GT -7.4 GOTO LBL "EBENE" ; = Q10=-7.5 ; = Q11=+14.33
+19 L Z+50 FMAX ; = X+45 Y+0 Z+50
+20 M30 ; = end X+45 Y+0 Z+50
+21 END PGM KEGEL MM

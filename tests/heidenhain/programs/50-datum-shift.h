@@ -1,0 +1,38 @@
+0 BEGIN PGM NULLPUNKT MM
+1 ; = clean
+2 BLK FORM 0.1 Z X+0 Y+0 Z-15
+3 BLK FORM 0.2 X+150 Y+100 Z+0
+4 TOOL CALL 1 Z S3000
+5 L Z+50 R0 FMAX M3
+6 L X+10 Y+10 FMAX ; = X+10 Y+10 Z+50 ; = work X+10 Y+10 Z+50
+7 CYCL DEF 7.0 DATUM SHIFT
+8 CYCL DEF 7.1 X+40
+9 CYCL DEF 7.2 Y+30
+10 L X+0 Y+0 FMAX ; = X+0 Y+0 Z+50 ; = work X+40 Y+30 Z+50
+11 L IX+5 IY-5 FMAX ; = X+5 Y-5 Z+50 ; = work X+45 Y+25 Z+50
+12 L Z+2 FMAX ; = X+5 Y-5 Z+2 ; = work X+45 Y+25 Z+2
+13 L Z-2 F200 ; = X+5 Y-5 Z-2 ; = work X+45 Y+25 Z-2
+14 CC X+10 Y-5
+15 C X+15 Y-5 DR- F400 ; = X+15 Y-5 Z-2 ; = work X+55 Y+25 Z-2 ; = centre X+10 Y-5
+16 L Z+2 FMAX
+17 ; one axis, incremental
+18 CYCL DEF 7.0 DATUM SHIFT
+19 CYCL DEF 7.1 IX+60
+20 CYCL DEF 7.2 Z-1
+21 L X+0 Y+0 FMAX ; = X+0 Y+0 ; = work X+100 Y+30
+22 L Z+3 FMAX ; = X+0 Y+0 Z+3 ; = work X+100 Y+30 Z+2
+23 L Z-1 F200 ; = X+0 Y+0 Z-1 ; = work X+100 Y+30 Z-2
+24 L Y+40 F400 ; = X+0 Y+40 Z-1 ; = work X+100 Y+70 Z-2
+25 L Z+51 FMAX ; = X+0 Y+40 Z+51 ; = work X+100 Y+70 Z+50
+26 CYCL DEF 7.0 DATUM SHIFT
+27 CYCL DEF 7.1 X+0
+28 CYCL DEF 7.2 Y+0
+29 CYCL DEF 7.3 Z+0
+30 L X+10 Y+10 FMAX ; = X+10 Y+10 Z+50 ; = work X+10 Y+10 Z+50
+31 ; the newer form of the same
+32 TRANS DATUM AXIS X+20 Y+20
+33 L X+5 Y+5 FMAX ; = X+5 Y+5 ; = work X+25 Y+25
+34 TRANS DATUM RESET
+35 L X+0 Y+0 R0 FMAX ; = X+0 Y+0 Z+50 ; = work X+0 Y+0 Z+50
+36 M30 ; = end X+0 Y+0 Z+50
+37 END PGM NULLPUNKT MM

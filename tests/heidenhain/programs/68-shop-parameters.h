@@ -1,0 +1,79 @@
+0 BEGIN PGM DECKEL MM
+1 ; = clean
+2 ; lid with a slotted rim, one program for all sizes
+3 ; ---- fill in ----
+4 FN 0: Q1 = +100 ;LENGTH
+5 FN 0: Q2 = +60 ;WIDTH
+6 FN 0: Q3 = -6 ;DEPTH OF THE SLOTS
+7 FN 0: Q4 = +4 ;NUMBER OF SLOTS
+8 FN 0: Q5 = +12 ;LENGTH OF A SLOT
+9 FN 0: Q6 = -2 ;STEP
+10 ; ---- worked out ----
+11 FN 4: Q10 = +Q1 DIV +2 ; = Q10=+50
+12 FN 4: Q11 = +Q2 DIV +2 ; = Q11=+30
+13 Q12 = ( Q1 - 20 ) / ( Q4 - 1 ) ; = Q12=+26.667
+14 Q13 = SQRT ( Q10 ^ 2 + Q11 ^ 2 ) ; = Q13=+58.31
+15 Q14 = ATAN ( Q11 / Q10 ) ; = Q14=+30.964
+16 BLK FORM 0.1 Z X+0 Y+0 Z-20
+17 BLK FORM 0.2 X+100 Y+60 Z+0
+18 TOOL DEF 7 L+0 R+3
+19 TOOL CALL 7 Z S5000 F500
+20 L Z+80 R0 FMAX M3 ; = Z+80
+21 L X+10 Y+10 R0 FMAX M8 ; = X+10 Y+10 Z+80
+22 L Z+2 FMAX ; = X+10 Y+10 Z+2
+23 * - slots
+24 FN 0: Q20 = +0 ;SLOT
+25 LBL 1
+26 FN 0: Q21 = +0 ;DEPTH NOW
+27 LBL 2
+28 FN 1: Q21 = +Q21 + +Q6
+29 L Z+Q21 F150 ; = X+90 Y+10 Z-6 ; = runs 12
+30 L IY+Q5 F AUTO
+31 L IY-Q5 ; = X+90 Y+10 Z-6 ; = runs 12
+32 FN 11: IF +Q21 GT +Q3 GOTO LBL 2
+33 L Z+2 FMAX
+34 L IX+Q12 FMAX ; = X+116.667 Y+10 Z+2 ; = runs 4
+35 FN 1: Q20 = +Q20 + +1
+36 FN 12: IF +Q20 LT +Q4 GOTO LBL 1 ; = Q20=+4 ; = Q21=-6
+37 L Z+80 FMAX ; = X+116.667 Y+10 Z+80
+38 * - holes on the diagonals
+39 TOOL CALL 8 Z S1800
+40 L Z+80 R0 FMAX M3
+41 CYCL DEF 7.0 DATUM SHIFT
+42 CYCL DEF 7.1 X+Q10
+43 CYCL DEF 7.2 Y+Q11
+44 CYCL DEF 200 DRILLING ~
+  Q200=+2    ;SET-UP CLEARANCE ~
+  Q201=-9    ;DEPTH ~
+  Q206=+120  ;FEED RATE FOR PLNGNG ~
+  Q202=+3    ;PLUNGING DEPTH ~
+  Q210=+0    ;DWELL TIME AT TOP ~
+  Q203=+0    ;SURFACE COORDINATE ~
+  Q204=+10   ;2ND SET-UP CLEARANCE ~
+  Q211=+0    ;DWELL TIME AT DEPTH
+45 Q15 = Q13 - 15
+46 CC X+0 Y+0
+47 LP PR+Q15 PA+Q14 R0 FMAX M99 ; = X+37.138 Y+22.283 Z+10 ; = work X+87.138 Y+52.283 Z+10 ; = lowest Z-9 ; = strokes 3
+48 Q16 = 180 - Q14
+49 LP PR+Q15 PA+Q16 R0 FMAX M99 ; = X-37.138 Y+22.283 Z+10 ; = work X+12.862 Y+52.283 Z+10 ; = lowest Z-9 ; = strokes 3
+50 Q16 = 180 + Q14
+51 LP PR+Q15 PA+Q16 R0 FMAX M99 ; = X-37.138 Y-22.283 Z+10 ; = work X+12.862 Y+7.717 Z+10 ; = lowest Z-9 ; = strokes 3
+52 LP PR+Q15 PA-Q14 R0 FMAX M99 ; = X+37.138 Y-22.283 Z+10 ; = work X+87.138 Y+7.717 Z+10 ; = lowest Z-9 ; = strokes 3
+53 L Z+80 FMAX ; = X+37.138 Y-22.283 Z+80 ; = work X+87.138 Y+7.717 Z+80
+54 CYCL DEF 7.0 DATUM SHIFT
+55 CYCL DEF 7.1 X+0
+56 CYCL DEF 7.2 Y+0
+57 * - chamfered rim
+58 TOOL CALL 7 Z S6000 F400
+59 L Z+80 R0 FMAX M3
+60 L X-15 Y-15 FMAX ; = X-15 Y-15 Z+80
+61 L Z-0.5 F1000 ; = X-15 Y-15 Z-0.5
+62 APPR LT X+0 Y+0 LEN8 RL F300 ; = path X-3 Y-8 ; = path X-3 Y+0
+63 L Y+Q2 ; = path X-3 Y+60 ; = path X+0 Y+63
+64 L X+Q1 ; = path X+100 Y+63 ; = path X+103 Y+60
+65 L Y+0 ; = path X+103 Y+0 ; = path X+100 Y-3
+66 L X+0 ; = path X+0 Y-3
+67 DEP LT LEN8 F1000 ; = X-8 Y-3 Z-0.5
+68 L Z+80 R0 FMAX M9 ; = X-8 Y-3 Z+80
+69 M30 ; = end X-8 Y-3 Z+80
+70 END PGM DECKEL MM
