@@ -65,6 +65,7 @@ fn program(index: u64) -> MoveRequest {
         curve,
         rotary_from: [0.0; 3],
         rotary_to: [0.0; 3],
+        path_length: None,
         speed: 150.0,
         corner,
         kind: MoveKind::Cut,

@@ -176,7 +176,8 @@ impl CurvePlanner {
             let first = self.firsts[index];
             let is_one = match joints {
                 JointFilter::Corners => {
-                    cosine < TUNING.curves.corner_cosine && self.is_sharp_below(first, tolerance)
+                    cosine < TUNING.curves.corner_cosine
+                        && self.is_sharp_below(first, tolerance, arm_mm(moves, index))
                 }
                 JointFilter::Bends => cosine < TUNING.curves.bend_cosine,
             };
@@ -206,29 +207,32 @@ impl CurvePlanner {
     fn turn(&self, moves: &[MoveRequest], index: usize) -> Option<(f64, f64)> {
         let CornerMode::Joined { linear_mm, .. } = moves[index - 1].corner else { return None };
         // σ is of another kind where rotary axes alone move.
-        let [turns, goes_on] = [index - 1, index].map(|at| moves[at].curve.length() <= 0.0);
+        let [turns, goes_on] = [index - 1, index].map(|at| moves[at].turns_only());
         if turns != goes_on {
             return None;
         }
         let tolerance = linear_mm.max(EXACT_TOLERANCE.linear_mm);
-        Some((self.cosine_within(self.firsts[index], tolerance), tolerance))
+        let arm_mm = arm_mm(moves, index);
+        Some((self.cosine_within(self.firsts[index], tolerance, arm_mm), tolerance))
     }
 
     /// Whether a joint is as sharp over lower tolerances: a bend that is round within a lower one stays a bend.
-    fn is_sharp_below(&self, first: usize, tolerance: f64) -> bool {
+    fn is_sharp_below(&self, first: usize, tolerance: f64, arm_mm: f64) -> bool {
         let mut lower =
             TUNING.curves.tolerance_ladder_mm.iter().rev().filter(|value| **value < tolerance);
-        lower.all(|value| self.cosine_within(first, *value) < TUNING.curves.corner_cosine)
+        lower.all(|value| self.cosine_within(first, *value, arm_mm) < TUNING.curves.corner_cosine)
     }
 
-    /// The cosine of the turn between two chords, seen over some tolerances.
-    fn cosine_within(&self, first: usize, tolerance: f64) -> f64 {
+    /// The cosine of the turn between two chords, seen over some tolerances; the rotary axes count by their arc at a radius.
+    fn cosine_within(&self, first: usize, tolerance: f64, arm_mm: f64) -> f64 {
         let here = &self.places[first];
         let before = self.beyond(first, -self.look((0..first).rev(), tolerance));
         let after = self.beyond(first, self.look(first..self.lengths.len(), tolerance));
         let (mut dot, mut squares) = (0.0, [0.0; 2]);
-        for axis in 0..3 {
-            let (a, b) = (here[axis] - before[axis], after[axis] - here[axis]);
+        let axes = if arm_mm > 0.0 { AXES } else { 3 };
+        for axis in 0..axes {
+            let mm = if axis < 3 { 1.0 } else { arm_mm };
+            let (a, b) = (mm * (here[axis] - before[axis]), mm * (after[axis] - here[axis]));
             dot += a * b;
             squares[0] += a * a;
             squares[1] += b * b;
@@ -346,7 +350,7 @@ impl CurvePlanner {
             }
         }
         let own = &moves[of_moves];
-        let turns_only = own.iter().all(|motion| motion.curve.length() <= 0.0);
+        let turns_only = own.iter().all(MoveRequest::turns_only);
         if own.iter().any(|motion| !matches!(motion.curve, Curve::Line(_))) {
             tolerance[0] -= TUNING.curves.arc_chord_share * tolerance_of(moves);
         }
@@ -396,10 +400,24 @@ fn make_pieces(
             let (until, feed) = same_feed(moves, &parts[part..], at, begin..end);
             let start = if at > begin { ahead(&whole, at - begin, AXES) } else { whole };
             let piece = PathPiece { length: until - at, base: None, start, tag: motion.tag };
-            speeds.push(feed / rate(&piece).max(1.0));
+            // The feed along the path of the tip is none of the axes.
+            let rate = if motion.path_length.is_some() { 1.0 } else { rate(&piece).max(1.0) };
+            speeds.push(feed / rate);
             pieces.push(piece);
             at = until;
         }
+    }
+}
+
+/// The radius at which the rotary axes count for the angle where a move begins, mm: where the axes follow a tip, X, Y and Z
+/// may turn round while a table turns on, which is no corner.
+fn arm_mm(moves: &[MoveRequest], index: usize) -> f64 {
+    let follows_tip = moves[index - 1..=index].iter().any(|motion| motion.path_length.is_some());
+    match moves[index - 1].corner.tolerance() {
+        Some((linear_mm, rotary_rad)) if follows_tip => {
+            linear_mm.max(EXACT_TOLERANCE.linear_mm) / rotary_rad.max(EXACT_TOLERANCE.rotary_rad)
+        }
+        _ => 0.0,
     }
 }
 

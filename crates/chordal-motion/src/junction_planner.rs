@@ -338,6 +338,7 @@ mod tests {
                 curve: Arc::new(Plane::Xy.frame(), radius, angle, 0.0).into(),
                 rotary_from: [0.0; 3],
                 rotary_to: [0.0; 3],
+                path_length: None,
                 speed: 100.0,
                 corner: CornerMode::Stop,
                 kind: MoveKind::Cut,

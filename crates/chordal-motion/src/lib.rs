@@ -40,7 +40,7 @@
 //! let line = MoveRequest {
 //!     curve: Curve::Line(Line { start: Vec3::new(0.0, 0.0, 0.0), end: Vec3::new(50.0, 0.0, 0.0) }),
 //!     rotary_from: [0.0; 3],
-//!     rotary_to: [0.0; 3],
+//!     rotary_to: [0.0; 3], path_length: None,
 //!     speed: 100.0,
 //!     corner: CornerMode::Stop,
 //!     kind: MoveKind::Cut,

@@ -59,6 +59,9 @@ pub struct MoveRequest {
     pub rotary_from: [f64; 3],
     /// Rotary axes A B C at the end, rad.
     pub rotary_to: [f64; 3],
+    /// The length of the path to which speed and distances refer, mm, where it is not that of the curve: the path of the tip
+    /// while the axes move straight. Only lines have it.
+    pub path_length: Option<f64>,
     /// Largest speed along the path, mm/s (rad/s where rotary axes alone move); infinite for as
     /// fast as the axis limits allow.
     pub speed: f64,
@@ -91,10 +94,18 @@ pub enum MoveError {
 }
 
 impl MoveRequest {
-    /// Its length in σ: mm of X, Y and Z, or rad where rotary axes alone move.
+    /// Its length in σ: mm of X, Y and Z or of the path of the tip, or rad where rotary axes alone move.
     pub fn length(&self) -> f64 {
+        if let Some(length) = self.path_length {
+            return length;
+        }
         let length = self.curve.length();
         if length > 0.0 { length } else { self.turn() }
+    }
+
+    /// Whether rotary axes alone move, and σ is an angle.
+    pub fn turns_only(&self) -> bool {
+        self.path_length.is_none() && self.curve.length() <= 0.0
     }
 
     /// How long it takes at its speed, s.

@@ -33,7 +33,16 @@ fn cut(curve: Curve, feed: f64) -> MoveRequest {
     let corner = CornerMode::Joined { linear_mm: 0.01, rotary_rad: 0.0 };
     let (rotary_from, rotary_to) = ([0.0; 3], [0.0; 3]);
     let speed = feed / 60.0;
-    MoveRequest { curve, rotary_from, rotary_to, speed, corner, kind: MoveKind::Cut, tag: 1 }
+    MoveRequest {
+        curve,
+        rotary_from,
+        rotary_to,
+        path_length: None,
+        speed,
+        corner,
+        kind: MoveKind::Cut,
+        tag: 1,
+    }
 }
 
 /// Lines from place to place, mm, at a feed, mm/min.

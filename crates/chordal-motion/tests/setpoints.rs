@@ -384,6 +384,7 @@ fn eased() -> Vec<PlannedTrajectory> {
             curve,
             rotary_from: [0.0; 3],
             rotary_to: [0.0; 3],
+            path_length: None,
             speed: 80.0,
             corner: CornerMode::Joined { linear_mm: 0.05, rotary_rad: 0.0 },
             kind: MoveKind::Cut,

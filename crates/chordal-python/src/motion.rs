@@ -108,6 +108,7 @@ fn planned(
             curve,
             rotary_from,
             rotary_to,
+            path_length: None,
             speed: number.unwrap_or(f64::INFINITY),
             corner,
             kind: if rapid { MoveKind::Rapid } else { MoveKind::Cut },

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use chordal_geometry::{AXES, Curve, ParamCurve};
+use chordal_geometry::{AXES, Curve};
 
 use super::candidates::SolvedCurve;
 use super::corner_overlap::{CURVATURE_LOOK_TOLERANCES, CornerOverlap, RunCorner, RunEnd};
@@ -288,7 +288,8 @@ impl CurvePlanner {
             }
             length
         };
-        let of_linear = if moves[index].curve.length() > 0.0 { linear_mm } else { rotary_rad };
+        let turns_only = moves[index].turns_only();
+        let of_linear = if turns_only { rotary_rad } else { linear_mm };
         let look = self.look((begin..chord).rev(), of_linear);
         let before = -reach(&mut (begin..chord).rev(), look);
         let look = self.look(chord..end, of_linear);
@@ -302,7 +303,6 @@ impl CurvePlanner {
             std::array::from_fn(|axis| 4.0 * (whole[axis] - half[axis]) / distance)
         });
         let speeds = [moves[index - 1].speed, moves[index].speed];
-        let turns_only = moves[index].curve.length() <= 0.0;
         let corner = RunCorner { tolerance, directions, bends, speeds, turns_only };
         Some(CornerOverlap::new(corner, &context.arrays))
     }

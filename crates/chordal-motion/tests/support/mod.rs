@@ -35,6 +35,7 @@ pub fn cut(curve: Curve, speed: f64, corner: CornerMode) -> MoveRequest {
         curve,
         rotary_from: [0.0; 3],
         rotary_to: [0.0; 3],
+        path_length: None,
         speed,
         corner,
         kind: MoveKind::Cut,

@@ -99,7 +99,7 @@ impl TimeBuilder {
         }
         let exact = motion.corner == CornerMode::Exact && motion.kind == MoveKind::Cut;
         if exact {
-            self.direction = motion.curve.tangent_at(motion.length());
+            self.direction = motion.curve.tangent_at(motion.curve.length());
         }
         let query = ReasonQuery {
             rapid: motion.kind == MoveKind::Rapid,
@@ -308,6 +308,7 @@ mod tests {
             curve: Curve::Line(Line { start, end }),
             rotary_from: [0.0; 3],
             rotary_to: [0.0; 3],
+            path_length: None,
             speed,
             corner: CornerMode::Exact,
             kind,
@@ -488,6 +489,7 @@ mod tests {
             curve: arc.curve,
             rotary_from: [0.0; 3],
             rotary_to: [0.0; 3],
+            path_length: None,
             speed: 200.0,
             corner: CornerMode::Exact,
             kind: MoveKind::Cut,
