@@ -51,7 +51,7 @@ pub struct DerivativeBounds {
     pub axes: usize,
     /// The curved part; `None` where there is none.
     pub turning: Option<PathTurning>,
-    /// Largest |q'| of the tool.
+    /// Largest |q'| of the tool; 1 where the feed is that of a tip which the axes follow.
     pub rate: f64,
 }
 

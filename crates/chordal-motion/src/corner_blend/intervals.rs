@@ -226,6 +226,9 @@ fn bounds(leg: &PathLeg, corrections: &BlendSum, from: f64, length: f64) -> Deri
         // Rotary axes alone: the feed counts them.
         rate = largest(rates[1]);
     }
+    if leg.follows_tip {
+        rate = 1.0;
+    }
     DerivativeBounds { even, axes, turning: turns, rate }
 }
 

@@ -37,6 +37,8 @@ pub struct PathLeg {
     pub axes: usize,
     /// Programmed speed, σ per s.
     pub feed: f64,
+    /// The speed is along the path of a tip that the axes follow.
+    pub follows_tip: bool,
     /// Its first part.
     pub part: LegPart,
     /// How many more parts it has.
@@ -100,6 +102,7 @@ impl PathLeg {
             curve,
             axes,
             feed: motion.speed,
+            follows_tip: motion.path_length.is_some(),
             part: LegPart { from: 0.0, length, start: anchor, direction, tag: motion.tag },
             more: 0,
             head,
@@ -112,7 +115,8 @@ impl PathLeg {
 
     /// Whether another leg, smoothly joined, is the same line at the same speed.
     pub fn goes_on_with(&self, next: &PathLeg) -> bool {
-        self.curve.is_none() && next.curve.is_none() && self.feed == next.feed
+        let are_lines = self.curve.is_none() && next.curve.is_none();
+        are_lines && (self.feed, self.follows_tip) == (next.feed, next.follows_tip)
     }
 
     /// Its end as a leg of its own, of some length: a straight line as it ends, unless it is a
