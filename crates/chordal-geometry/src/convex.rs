@@ -117,6 +117,26 @@ impl ConvexSolid {
         }
     }
 
+    /// The solid after a transformation; a box becomes the hull of its corners.
+    #[must_use]
+    pub fn transformed(&self, transform: &Transform) -> ConvexSolid {
+        let scale = transform.scale_factor();
+        match self {
+            ConvexSolid::Ball { center, radius } => ConvexSolid::Ball {
+                center: transform.apply_point(*center),
+                radius: radius * scale,
+            },
+            ConvexSolid::Frustum { ends, radii } => ConvexSolid::Frustum {
+                ends: ends.map(|end| transform.apply_point(end)),
+                radii: radii.map(|radius| radius * scale),
+            },
+            ConvexSolid::Cuboid(_) | ConvexSolid::Hull(_) => {
+                let corners = self.enclosing_balls().into_iter();
+                ConvexSolid::Hull(corners.map(|(at, _)| transform.apply_point(at)).collect())
+            }
+        }
+    }
+
     /// A point of the solid that is farthest in a direction of any length, mm.
     #[must_use]
     pub fn farthest(&self, direction: Vec3) -> Vec3 {
