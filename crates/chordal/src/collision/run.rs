@@ -110,8 +110,7 @@ impl Job<'_> {
             Ok(chain) => chain,
             Err(error) => {
                 let reason = format!("the kinematics of the machine are not known: {error}");
-                let help =
-                    "give the rotary axes in the machine file; nothing is checked without them";
+                let help = "give the rotary axes in the machine file, or remove those that it does not have (`[axes] A = false`); nothing is checked without them";
                 doubts.add(Span::default(), reason, help);
                 KinematicChain::CARTESIAN
             }
@@ -229,7 +228,7 @@ impl CollisionRun<'_> {
                 let mut axes = AxisMask::NONE;
                 let [a, b] = [one.linked.link(), body.linked.link()];
                 self.links.axes_between(a, b).into_iter().for_each(|axis| axes.insert(axis));
-                pairs.push(BodyPair { bodies: [place, other], meaning, axes });
+                pairs.push(BodyPair { bodies: [other, place], meaning, axes });
             }
         }
         for body in &bodies {
