@@ -114,8 +114,8 @@ impl<'b> PairCheck<'b> {
             let travel = self.travel(path, half, &axes);
             let placed = [0, 1].map(|side| self.bodies[side].placed(poses[side]));
             let balls = [0, 1].map(|side| placed[side].bounding_ball());
-            let apart = balls[0].0.distance(balls[1].0) - balls[0].1 - balls[1].1;
-            if apart > travel {
+            let gap = balls[0].0.distance(balls[1].0) - balls[0].1 - balls[1].1;
+            if gap > travel {
                 continue;
             }
             let resolution = tolerance_mm / 8.0;

@@ -122,10 +122,9 @@ impl ConvexSolid {
     pub fn transformed(&self, transform: &Transform) -> ConvexSolid {
         let scale = transform.scale_factor();
         match self {
-            ConvexSolid::Ball { center, radius } => ConvexSolid::Ball {
-                center: transform.apply_point(*center),
-                radius: radius * scale,
-            },
+            ConvexSolid::Ball { center, radius } => {
+                ConvexSolid::Ball { center: transform.apply_point(*center), radius: radius * scale }
+            }
             ConvexSolid::Frustum { ends, radii } => ConvexSolid::Frustum {
                 ends: ends.map(|end| transform.apply_point(end)),
                 radii: radii.map(|radius| radius * scale),
@@ -198,7 +197,8 @@ impl ConvexSolid {
     pub fn bounding_ball(&self) -> (Vec3, f64) {
         let balls = self.enclosing_balls();
         let bounds = balls.iter().fold(Aabb::EMPTY, |bounds, (at, radius)| {
-            bounds.union(Aabb::of_points(*at, *at).expand(*radius))
+            let own = Aabb::of_points(*at, *at).expand(*radius);
+            bounds.union(own)
         });
         let center = bounds.center();
         let radius = match self {
@@ -280,7 +280,7 @@ pub struct SolidDistance {
 const MAX_STEPS: usize = 96;
 
 /// What rounding may add to a bound, in parts of the distances that go into it: some hundred operations.
-const ROUNDING: f64 = 128.0 * f64::EPSILON;
+const ROUNDING_SHARE: f64 = 128.0 * f64::EPSILON;
 
 /// The distance of two convex solids, mm: bounds within `resolution` of each other, or a lower bound above `enough`. Where
 /// rounding does not allow that, the bounds are wider, and still bounds.
@@ -293,7 +293,7 @@ pub fn solid_distance(
 ) -> SolidDistance {
     let difference = |direction: Vec3| a.farthest(direction) - b.farthest(-direction);
     let [one, other] = [a.bounding_ball(), b.bounding_ball()];
-    let rounding = ROUNDING * (one.0.length() + one.1 + other.0.length() + other.1);
+    let rounding = ROUNDING_SHARE * (one.0.length() + one.1 + other.0.length() + other.1);
     let start = (other.0 - one.0).normalized().unwrap_or(Vec3::X);
     let mut nearest = difference(start);
     let mut simplex = vec![nearest];
@@ -307,8 +307,8 @@ pub fn solid_distance(
             break;
         }
         let corner = difference(-nearest);
-        let apart = corner.dot(nearest) / length - rounding;
-        bounds.lower = bounds.lower.max(apart).min(bounds.upper);
+        let reached = corner.dot(nearest) / length - rounding;
+        bounds.lower = bounds.lower.max(reached).min(bounds.upper);
         let is_decided = bounds.upper - bounds.lower <= resolution || bounds.lower > enough;
         if is_decided || simplex.contains(&corner) {
             break;
@@ -389,7 +389,8 @@ fn nearest_inside(corners: &[Vec3]) -> Option<Vec3> {
             // The shares of a flat simplex are rounding.
             let mean = p * of_p + q * of_q + r * of_r + s * of_s;
             (is_inside
-                && mean.length() <= ROUNDING * (u.length() + v.length() + w.length() + p.length()))
+                && mean.length()
+                    <= ROUNDING_SHARE * (u.length() + v.length() + w.length() + p.length()))
             .then_some(Vec3::ZERO)
         }
         _ => None,

@@ -43,7 +43,7 @@ const FIRST_DIRECTIONS: [Vec3; 8] = [
 #[must_use]
 pub fn solid_depth(a: &PlacedSolid<'_>, b: &PlacedSolid<'_>, resolution: f64) -> DepthBounds {
     let difference = |direction: Vec3| a.farthest(direction) - b.farthest(-direction);
-    let apart = DepthBounds { lower: 0.0, upper: 0.0 };
+    let none = DepthBounds { lower: 0.0, upper: 0.0 };
     let mut upper = f64::INFINITY;
     let mut reach = |unit: Vec3| {
         let corner = difference(unit);
@@ -72,7 +72,7 @@ pub fn solid_depth(a: &PlacedSolid<'_>, b: &PlacedSolid<'_>, resolution: f64) ->
         lower = lower.max(nearest.distance);
         let (corner, upper) = reach(nearest.normal);
         if upper <= 0.0 {
-            return apart;
+            return none;
         }
         if upper - lower <= resolution || !grow(&mut corners, &mut faces, corner) {
             break;

@@ -9,7 +9,7 @@ use crate::control::ControlName;
 use crate::error::{MachineError, ValueLocation};
 use crate::motion::MotionSettings;
 use crate::setup::Setup;
-use crate::solid::{LinearCarriers, MachineSolid};
+use crate::solid::{LinearOrder, MachineSolid};
 use crate::tool::Tool;
 use crate::value::SettingEntry;
 
@@ -204,6 +204,15 @@ impl RotaryTarget {
             RotaryTarget::Head => "head",
         }
     }
+}
+
+/// What carries the linear axes X, Y and Z.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinearCarriers {
+    /// Whether X, Y and Z move the part or the tool; `None`: not given.
+    pub sides: [Option<RotaryTarget>; 3],
+    /// Which of them carries which; `None`: not given.
+    pub order: Option<LinearOrder>,
 }
 
 /// The largest feeds that may be programmed.

@@ -1,16 +1,6 @@
-//! The bodies of a machine itself, and which axes carry them.
+//! The bodies of a machine itself, and the order of the axes that carry them.
 
 use crate::axis::Axis;
-use crate::machine::RotaryTarget;
-
-/// What carries the linear axes X, Y and Z.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct LinearCarriers {
-    /// Whether X, Y and Z move the part or the tool; `None`: not given.
-    pub sides: [Option<RotaryTarget>; 3],
-    /// Which of them carries which; `None`: not given.
-    pub order: Option<LinearOrder>,
-}
 
 /// The order of the linear axes, from the base outwards, for those of the part and for those of the tool.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]

@@ -8,7 +8,7 @@ use chordal_machine::{Axis, Body, BodyShape, Machine, MachineSolid, MachineSolid
 
 use super::doubts::CollisionDoubts;
 use crate::job::Job;
-use crate::stock::{SetupError, SetupFileReader, ToolOutline, ToolPart, body_bounds};
+use crate::stock::{SetupError, SetupFileReader, ToolFrustums, ToolPart, body_bounds};
 
 /// What a body is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -242,7 +242,7 @@ fn place_of(job: &Job<'_>, chain: &KinematicChain, body: &Body) -> Option<Transf
 /// The parts of a tool, from its tip up to the gauge point.
 pub(super) fn tool_bodies(
     number: u32,
-    outline: &ToolOutline,
+    outline: &ToolFrustums,
     length_mm: f64,
     links: &MachineLinks,
     chain: &KinematicChain,

@@ -87,42 +87,41 @@ impl<'m> MoveFollower<'m> {
         };
         let (start, end) = (filled(&from), filled(&to));
         let mut pieces = Vec::new();
-        match kind {
-            CommandKind::Rapid { path, .. } => {
-                if self.bends_at_unknown_speed(kind, &start, &end) {
-                    return Err(
-                        "the speeds of the axes are not given, and the rapid bends by them",
-                    );
-                }
-                let mut at = start;
-                rapid_corners(self.machine, *path, &start, &end, |corner, _| {
-                    pieces.push(straight(&at, corner));
-                    at = *corner;
-                });
+        if let CommandKind::Rapid { path, .. } = kind {
+            if self.bends_at_unknown_speed(kind, &start, &end) {
+                return Err("the speeds of the axes are not given, and the rapid bends by them");
             }
-            kind => {
-                // What lies between the coordinates of the program and those of the machine is the same at both ends.
-                let shift = Vec3::new(
-                    start[0] - motion.from[0],
-                    start[1] - motion.from[1],
-                    start[2] - motion.from[2],
-                );
-                let shift = Transform::translation(shift);
-                let offset: [f64; 3] =
-                    std::array::from_fn(|axis| start[axis + 3] - motion.from[axis + 3]);
-                tip_pieces(kind, motion, |curve, ends| {
-                    let rotary = ends.map(|place| -> [f64; 3] {
-                        std::array::from_fn(|axis| place[axis + 3] + offset[axis])
-                    });
-                    pieces.push(AxisMove {
-                        curve: curve.transformed(&shift),
-                        rotary_from: rotary[0],
-                        rotary_to: rotary[1],
-                        deviation_mm: 0.0,
-                    });
-                });
-            }
+            let mut at = start;
+            rapid_corners(self.machine, *path, &start, &end, |corner, _| {
+                pieces.push(straight(&at, corner));
+                at = *corner;
+            });
+            return Ok((pieces, known));
         }
+        // What lies between the coordinates of the program and those of the machine is the same at both ends, unless the
+        // program does not know where the axes stand.
+        let offset: Position = std::array::from_fn(|axis| start[axis] - motion.from[axis]);
+        let is_shifted = known.iter().all(|axis| {
+            let axis = axis as usize;
+            (motion.to[axis] + offset[axis] - end[axis]).abs() <= SAME_PLACE
+        });
+        if !is_shifted {
+            let is_line = matches!(kind, CommandKind::Line { .. });
+            let line = is_line.then(|| (vec![straight(&start, &end)], known));
+            return line.ok_or("where its curve begins is not known");
+        }
+        let shift = Transform::translation(Vec3::new(offset[0], offset[1], offset[2]));
+        tip_pieces(kind, motion, |curve, ends| {
+            let rotary = ends.map(|place| -> [f64; 3] {
+                std::array::from_fn(|axis| place[axis + 3] + offset[axis + 3])
+            });
+            pieces.push(AxisMove {
+                curve: curve.transformed(&shift),
+                rotary_from: rotary[0],
+                rotary_to: rotary[1],
+                deviation_mm: 0.0,
+            });
+        });
         Ok((pieces, known))
     }
 
@@ -161,7 +160,7 @@ impl<'m> MoveFollower<'m> {
             self.stand = std::array::from_fn(|axis| Some(self.frame.machine(&place, axis)));
         }
         if !(knows_start && knows_end) {
-            return Ok((vec![standing()], AxisMask::NONE));
+            return Ok((vec![motionless()], AxisMask::NONE));
         }
         let all = Transform::translation(offsets.total());
         let turned = |angles: [f64; 3]| -> [f64; 3] {
@@ -190,6 +189,9 @@ impl<'m> MoveFollower<'m> {
     }
 }
 
+/// Positions that differ by less are the same, mm and rad: above rounding, below any tolerance.
+const SAME_PLACE: f64 = 1e-7;
+
 fn straight(from: &Position, to: &Position) -> AxisMove {
     let point = |place: &Position| Vec3::new(place[0], place[1], place[2]);
     let rotary = |place: &Position| [place[3], place[4], place[5]];
@@ -202,6 +204,6 @@ fn straight(from: &Position, to: &Position) -> AxisMove {
 }
 
 /// A piece of a move of which no axis is known.
-fn standing() -> AxisMove {
+fn motionless() -> AxisMove {
     straight(&[0.0; AXES], &[0.0; AXES])
 }

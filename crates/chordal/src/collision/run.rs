@@ -19,7 +19,7 @@ use super::report::{CollisionProblem, CollisionReport, CollisionVerdict};
 use crate::job::Job;
 use crate::other_sides::MAX_STOCK_SIDE_RUNS;
 use crate::report::RunWatch;
-use crate::stock::{SetupError, SetupFileReader, ToolOutline, ToolPart, tool_outlines};
+use crate::stock::{SetupError, SetupFileReader, ToolFrustums, ToolPart, tool_outlines};
 
 /// The options of a check for collisions.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -190,7 +190,7 @@ struct CollisionRun<'a> {
     scenes: BTreeMap<u32, std::rc::Rc<ToolScene>>,
     /// The bodies of machine and setup.
     fixed: Vec<MachineBody>,
-    outlines: BTreeMap<u32, Result<ToolOutline, String>>,
+    outlines: BTreeMap<u32, Result<ToolFrustums, String>>,
     links: MachineLinks,
     chain: KinematicChain,
     /// Whether the kinematics are known.

@@ -42,7 +42,7 @@ pub use lathe::{
     TurnedReplay, TurnedReport, TurnedShape, TurnedTarget, TurnedThread, TurnedToolRemoved,
 };
 pub use left::{StockLeft, ToolRemoves};
-pub(crate) use outline::{ToolOutline, ToolPart, tool_outlines};
+pub(crate) use outline::{ToolFrustums, ToolPart, tool_outlines};
 pub use pass::StockOptions;
 pub use problems::StockProblem;
 pub use replay::{

@@ -19,12 +19,12 @@ pub(crate) enum ToolPart {
 }
 
 /// A tool as cylinders and cones above its tip.
-pub(crate) struct ToolOutline {
+pub(crate) struct ToolFrustums {
     pub parts: Vec<(ToolPart, Frustum)>,
 }
 
 /// The tools that a program may use, by number; an error says why a tool has no outline.
-pub(crate) fn tool_outlines(job: &Job) -> BTreeMap<u32, Result<ToolOutline, String>> {
+pub(crate) fn tool_outlines(job: &Job) -> BTreeMap<u32, Result<ToolFrustums, String>> {
     let outline = |body: Result<ToolBody, super::tools::NoBody>| match body {
         Ok(body) => outline_of(&body),
         Err(reason) => Err(reason.why()),
@@ -32,7 +32,7 @@ pub(crate) fn tool_outlines(job: &Job) -> BTreeMap<u32, Result<ToolOutline, Stri
     tools_of(job).into_iter().map(|(number, body)| (number, outline(body))).collect()
 }
 
-fn outline_of(tool: &ToolBody) -> Result<ToolOutline, String> {
+fn outline_of(tool: &ToolBody) -> Result<ToolFrustums, String> {
     let edges =
         tool.cutter.flutes().unwrap_or_else(|| tool.top()).max(tool.cutter.side() + ROUND_MM);
     let cutter = RoundBody::of_cutter(&tool.cutter, edges, ROUND_MM, BodyBound::Outer)
@@ -49,5 +49,5 @@ fn outline_of(tool: &ToolBody) -> Result<ToolOutline, String> {
         let pieces = pieces.iter().filter(|piece| piece.height > 0.0);
         parts.extend(pieces.map(|piece| (part, frustum(piece))));
     }
-    Ok(ToolOutline { parts })
+    Ok(ToolFrustums { parts })
 }
