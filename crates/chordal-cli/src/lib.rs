@@ -21,6 +21,7 @@ mod calibrate;
 mod changed;
 mod check;
 mod chords;
+mod collide;
 mod commands;
 mod comp_range;
 mod compare;
@@ -84,6 +85,7 @@ Examples:
   chordal time part.nc                       how long it takes, where and why
   chordal report part.nc -o setup.html       a setup sheet to print or mail
   chordal stock part.nc --setup op1.toml     what is left of the stock, and what is touched
+  chordal collide part.nc --setup op1.toml   which bodies of machine, fixtures and tools touch
   chordal check archive/                     problems of every program in a folder
   chordal archive check archive/ --out results.parquet
                                              all of a folder tree as one table
@@ -131,6 +133,7 @@ enum CliCommand {
     Commands(commands::Args),
     Path(path::Args),
     Stock(Box<stock::Args>),
+    Collide(Box<collide::Args>),
     CompRange(comp_range::Args),
     Chords(chords::Args),
     Sample(sample::Args),
@@ -162,6 +165,7 @@ impl CliCommand {
             CliCommand::Commands(args) => commands::run(&args, terminal),
             CliCommand::Path(args) => path::run(&args, terminal),
             CliCommand::Stock(args) => stock::run(*args, terminal),
+            CliCommand::Collide(args) => collide::run(*args, terminal),
             CliCommand::CompRange(args) => comp_range::run(&args),
             CliCommand::Chords(args) => chords::run(&args, terminal),
             CliCommand::Sample(args) => sample::run(&args, terminal),

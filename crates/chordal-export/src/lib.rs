@@ -11,6 +11,7 @@
 //! | calculations | text, JSON, SVG, PNG | [`worked_text`], [`worked_json`], [`figure_svg`], [`figure_png`] |
 //! | time | JSON | [`time_json`] |
 //! | comparisons | text, JSON | [`comparison_text`], [`comparison_json`] |
+//! | collisions | text, JSON | [`collision_text`], [`collision_json`] |
 //! | stock | text, JSON, PNG, STL, 3MF, GLB | [`stock_text`], [`stock_json`], [`stock_png`], [`stock_mesh`] |
 //! | turned stock | text, JSON, SVG, PNG, DXF, STL, 3MF, GLB | [`turned_text`], [`turned_json`], [`section_svg`], [`section_dxf`], [`turned_mesh`] |
 //! | engagement of cuts | text, JSON, CSV, columns | [`engagement_text`], [`engagement_json`], [`columns`] |
@@ -49,6 +50,7 @@
 mod calculation;
 mod canon;
 mod chords;
+mod collision;
 pub mod columns;
 mod command_json;
 mod command_rows;
@@ -79,6 +81,7 @@ mod write_errors;
 pub use calculation::{worked_json, worked_text};
 pub use canon::CanonWriter;
 pub use chords::ChordWriter;
+pub use collision::{collision_json, collision_text};
 pub use columns::{SampleWriter, column_reference};
 pub use command_json::CommandJsonLines;
 pub use command_rows::CommandWriter;

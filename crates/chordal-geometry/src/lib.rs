@@ -27,6 +27,7 @@
 //! | make a curve from an arc command | [`arc_from_center`], [`spiral_from_center`], [`center_from_radius`] |
 //! | divide it into chords | [`ParamCurve::chords`], [`Chords`] |
 //! | fit lines and arcs to points, reduce points | [`fit_path`], [`simplify`] |
+//! | know how far two convex solids are apart, or how deep one is in the other | [`ConvexSolid`], [`solid_distance`], [`solid_depth`] |
 //! | intersect and offset | [`line_line`], [`line_circle`], [`circle_circle`], [`Line::offset`], [`Arc::offset`] |
 
 #![forbid(unsafe_code)]
@@ -37,6 +38,8 @@ mod axes;
 mod bezier;
 mod bspline;
 mod chords;
+mod convex;
+mod convex_depth;
 mod curve;
 mod fit;
 mod fitting;
@@ -66,6 +69,8 @@ pub use arc::{Arc, Derivatives};
 pub use axes::{AXES, AXIS_LETTERS, AXIS_NAMES, PerAxis};
 pub use bspline::{Spline, SplineError};
 pub use chords::{ChordError, Chords, MAX_CHORDS, Placement, chords_in_whole};
+pub use convex::{ConvexSolid, PlacedSolid, SolidDistance, SolidError, solid_distance};
+pub use convex_depth::{DepthBounds, solid_depth};
 pub use curve::Curve;
 pub use fit::{
     ArcFit, ArcSweep, HalfCircleTolerance, RadiusError, arc_from_center, arc_sweep,

@@ -106,6 +106,13 @@ impl Transform {
         a * v.x + b * v.y + c * v.z
     }
 
+    /// The direction whose image is `v`: only rotated or reflected back, so that a unit vector stays one.
+    #[must_use]
+    pub fn revert_direction(&self, v: Vec3) -> Vec3 {
+        let [a, b, c] = self.columns;
+        Vec3::new(a.dot(v), b.dot(v), c.dot(v))
+    }
+
     /// The inverse transform.
     #[must_use]
     pub fn inverse(&self) -> Self {
@@ -169,6 +176,7 @@ mod tests {
         close(t.inverse().apply_point(t.apply_point(p)), p);
         close(t.then(&t.inverse()).apply_point(p), p);
         close(t.apply_vector(p), t.apply_point(p) - t.apply_point(Vec3::ZERO));
+        close(t.revert_direction(t.apply_direction(p)), p);
         assert_eq!(Transform::rotation_about(p, Vec3::ZERO, 1.0), Transform::identity());
     }
 }

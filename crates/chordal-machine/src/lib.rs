@@ -48,6 +48,7 @@ mod read;
 mod rotary;
 mod schema;
 mod setup;
+mod solid;
 mod suggest;
 mod toml_text;
 mod tool;
@@ -68,9 +69,9 @@ pub use designation::{
 pub use error::{MachineError, ValueLocation};
 pub use kinematics::KinematicsError;
 pub use machine::{
-    AxisLimits, CustomCodeSpec, DiameterProgramming, FeedLimits, Machine, MachineNotices, Macros,
-    NonMotionTimes, Probe, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, Switches, TcpFrame,
-    Turret, WorkOffset,
+    AxisLimits, CustomCodeSpec, DiameterProgramming, FeedLimits, LinearCarriers, Machine,
+    MachineNotices, Macros, NonMotionTimes, Probe, ProbeHit, RapidShape, RotaryAxis, RotaryTarget,
+    Switches, TcpFrame, Turret, WorkOffset,
 };
 pub use motion::MotionSettings;
 pub use offset::work_offset_name;
@@ -78,6 +79,7 @@ pub use quantity::{QuantityDimension, QuantityError, parse_quantity};
 pub use rotary::{ToolRotation, part_transform, tool_rotations};
 pub use schema::{SchemaKey, schema_keys, schema_reference};
 pub use setup::{Body, BodyShape, ContourPoint, CuttingForce, MeshUnit, Setup};
+pub use solid::{LinearOrder, MachineSolid, MachineSolidShape, SolidLink};
 pub use tool::{Cutter, HolderSegment, Tool, ToolShape};
 pub use tool_tbl::read_tool_tbl;
 pub use turning::{ToolFacing, TurningTool, mirrored_tip};

@@ -9,6 +9,7 @@ use crate::control::ControlName;
 use crate::error::{MachineError, ValueLocation};
 use crate::motion::MotionSettings;
 use crate::setup::Setup;
+use crate::solid::{LinearOrder, MachineSolid};
 use crate::tool::Tool;
 use crate::value::SettingEntry;
 
@@ -34,6 +35,10 @@ pub struct Machine {
     pub rotary: [RotaryAxis; 3],
     /// The frame of the tip with tool centre point control.
     pub tcp_frame: TcpFrame,
+    /// What carries the linear axes.
+    pub linear: LinearCarriers,
+    /// The bodies of the machine, by name.
+    pub solids: BTreeMap<String, MachineSolid>,
     /// The largest feeds that may be programmed.
     pub feed: FeedLimits,
     /// The path of a rapid move; `None`: the control's default.
@@ -199,6 +204,15 @@ impl RotaryTarget {
             RotaryTarget::Head => "head",
         }
     }
+}
+
+/// What carries the linear axes X, Y and Z.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct LinearCarriers {
+    /// Whether X, Y and Z move the part or the tool; `None`: not given.
+    pub sides: [Option<RotaryTarget>; 3],
+    /// Which of them carries which; `None`: not given.
+    pub order: Option<LinearOrder>,
 }
 
 /// The largest feeds that may be programmed.
@@ -381,6 +395,8 @@ impl Machine {
             axes: [None; AXES],
             rotary: [RotaryAxis::default(); 3],
             tcp_frame: TcpFrame::Zero,
+            linear: LinearCarriers::default(),
+            solids: BTreeMap::new(),
             feed: FeedLimits::default(),
             turret: Turret::Rear,
             turret_clearance_mm: None,

@@ -9,7 +9,7 @@ use chordal_kernel::rules::LengthRules;
 use chordal_machine::{AXES, Machine, PerAxis};
 
 use crate::frame::ProgramFrame;
-use crate::rapid;
+use crate::rapid::rapid_corners;
 use crate::segment::{
     NotNamed, Segment, SegmentKind, UnrelatedZero, curve_of, curves_of, is_known, point,
 };
@@ -228,7 +228,7 @@ impl<'a> PathBuilder<'a> {
         match &command.kind {
             CommandKind::Rapid { motion, path } => {
                 let mut at = motion.from;
-                rapid::corners(self.machine, *path, &motion.from, &motion.to, |corner, time| {
+                rapid_corners(self.machine, *path, &motion.from, &motion.to, |corner, time| {
                     let line = Curve::Line(Line { start: point(&at), end: point(corner) });
                     let mut segment =
                         self.segment(SegmentKind::Rapid, line, shift, command, motion, time);

@@ -63,6 +63,7 @@ pub use compensation::{
 pub use contour_check::ContourCheck;
 pub use contour_level::ContourLevel;
 pub use frame::ProgramFrame;
+pub use rapid::rapid_corners;
 pub use rotary::{RotaryLimits, rotary_parts};
 pub use rotary_extremes::places_on_axes;
 pub use segment::{NotNamed, Segment, SegmentKind, UnrelatedZero, curve_of, curves_of};

@@ -19,7 +19,7 @@ fn axis_time_s(machine: &Machine, axis: usize, from: &Position, to: &Position) -
 
 /// Passes the corners of a rapid after its start to `push`, each with the time from the corner before it, s: one point
 /// if it is straight, otherwise one for each time at which an axis arrives.
-pub(crate) fn corners(
+pub fn rapid_corners(
     machine: &Machine,
     path: RapidPath,
     from: &Position,

@@ -42,6 +42,7 @@ pub mod control {
     };
 }
 
+pub mod collision;
 mod comp_range;
 mod compensation_sink;
 mod first_cut;

@@ -72,6 +72,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
     ),
     ("chordal-motion", &["chordal-geometry"]),
     ("chordal-stock", &["chordal-geometry"]),
+    ("chordal-collision", &["chordal-geometry", "chordal-kinematics"]),
     (
         "chordal",
         &[
@@ -87,6 +88,8 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-path",
             "chordal-motion",
             "chordal-stock",
+            "chordal-collision",
+            "chordal-kinematics",
         ],
     ),
     ("chordal-calc", &["chordal-geometry", "chordal-machine", "chordal-dialect"]),

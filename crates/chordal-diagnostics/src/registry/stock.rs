@@ -129,4 +129,25 @@ in a setup file to use another one."#;
     r#"The stock was taken from a comment of the program, and the program removes nothing of it. Programs are edited and keep
 the head of an older one: the stock, or its zero, is probably another. Nothing is proved about it. Give `[stock]` in a
 setup file."#;
+
+    MachineCollision = 680, "machine-collision", Error;
+    "two bodies of the machine collide";
+    r#"On this move a body of the machine, a fixture, or the tool with its shank and holder touches another body, or comes
+nearer to it than the tolerance. The message names both, gives the positions of the axes where they are deepest in each
+other, and how deep that is at least. Change the order of the moves, retract farther before the rotary axes turn, or use a
+longer tool. If the two bodies may touch, name one in `may_touch` of the other in `[solids]`. Example: a cradle that tilts
+into the spindle head."#;
+
+    CollisionNotProved = 681, "collision-not-proved", Warning;
+    "it is not proved that nothing collides";
+    r#"Something that the check for collisions needs is not known: where an axis is, the points about which rotary axes turn,
+what moves a linear axis, the length or the shape of a tool, where a fixture stands. Or the bodies are known to be larger
+than the real ones, such as the stock before its first cut, or the check has used up the number of positions that it may
+look at. The message says which. Nothing that it names is called free."#;
+
+    NothingToCollide = 682, "nothing-to-collide", Warning;
+    "no two bodies are given that could collide";
+    r#"The check for collisions compares the bodies of the machine (`[solids]`), the fixtures and the stock of the setup, and the
+tools. Here no two of them can move relative to each other, so nothing was compared. Give `[solids]` in the machine file:
+the table, the cradle, the spindle head."#;
 }

@@ -182,7 +182,26 @@ rollover = \"shortest\"",
     TableSection {
         table: "kinematics",
         about: "",
-        example: "[kinematics]\ntcp_frame = \"activation\"",
+        example: "
+[kinematics]
+tcp_frame = \"activation\"
+X = \"head\"
+Y = \"table\"
+Z = \"head\"
+order = \"YXZ\"",
+    },
+    TableSection {
+        table: "solids",
+        about: "The bodies of the machine for [`chordal collide`](collision.md).",
+        example: "
+[solids.table]
+on = \"C\"
+shape = \"cylinder\"
+from = { X = \"-500 mm\", Y = \"-250 mm\", Z = \"-580 mm\" }
+to = { X = \"-500 mm\", Y = \"-250 mm\", Z = \"-530 mm\" }
+diameter = \"320 mm\"
+end_diameter = \"300 mm\"
+may_touch = [\"cradle\"]",
     },
     TableSection {
         table: "feed",

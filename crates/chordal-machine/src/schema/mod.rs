@@ -3,6 +3,7 @@
 
 mod bodies;
 mod rows;
+mod solids;
 mod tables;
 mod turning;
 mod value_text;
@@ -168,8 +169,15 @@ pub(crate) enum SignRule {
 
 /// Every row, in the order of the reference.
 pub(crate) fn rows() -> impl Iterator<Item = &'static SchemaRow> {
-    let bodies =
-        [&bodies::STOCK[..], &bodies::FIXTURE, &bodies::TARGET, &bodies::OWN, &bodies::MATERIALS];
+    let bodies = [
+        &bodies::STOCK[..],
+        &bodies::FIXTURE,
+        &bodies::TARGET,
+        &bodies::OWN,
+        &bodies::MATERIALS,
+        &solids::LINEAR,
+        &solids::SOLIDS,
+    ];
     let (tools, others) = ROWS.split_at(rows::AFTER_TOOLS);
     tools.iter().chain(&turning::ROWS).chain(others).chain(bodies.into_iter().flatten())
 }

@@ -6,7 +6,7 @@ use crate::machine::Machine;
 use crate::toml_text::key_text;
 
 /// The tables in the order of a written file, after the keys that are in no table.
-const TABLE_ORDER: &str = "axes.<axis> rotary.<rotary> kinematics feed rapid spindle home reference_points.<point> \
+const TABLE_ORDER: &str = "axes.<axis> rotary.<rotary> kinematics solids.<name> feed rapid spindle home reference_points.<point> \
      switches program motion times shop_codes.<code> macros macros.variables probe probe.hit \
      tools.<tool> stock fixtures.<name> target materials.<name> work_offsets.<offset> settings";
 
@@ -100,6 +100,7 @@ fn names(machine: &Machine, table: &str, path: &str) -> Vec<String> {
         ("", "rotary.<rotary>") => texts(["A", "B", "C"].into_iter()),
         ("", "reference_points.<point>") => texts(2..=4),
         ("", "tools.<tool>") => texts(machine.tools.keys()),
+        ("", "solids.<name>") => texts(machine.solids.keys()),
         ("", "fixtures.<name>") => texts(setup.fixtures.keys()),
         ("", "materials.<name>") => texts(setup.materials.keys()),
         ("", "work_offsets.<offset>") => texts(machine.work_offsets.keys()),

@@ -6,6 +6,7 @@ use crate::axis::{AXIS_NAMES, Axis};
 use crate::control::ControlName;
 use crate::machine::{Probe, ProbeHit, RapidShape, RotaryTarget, TcpFrame, Turret};
 use crate::setup::{BodyShape, MeshUnit};
+use crate::solid::{LinearOrder, MachineSolidShape, SolidLink};
 use crate::tool::ToolShape;
 use crate::turning::ToolFacing;
 
@@ -38,7 +39,18 @@ macro_rules! optional_words {
     )*};
 }
 
-optional_words!(BodyShape, MeshUnit, RapidShape, RolloverRule, RotaryTarget, ToolFacing, ToolShape);
+optional_words!(
+    BodyShape,
+    LinearOrder,
+    MachineSolidShape,
+    MeshUnit,
+    RapidShape,
+    RolloverRule,
+    RotaryTarget,
+    SolidLink,
+    ToolFacing,
+    ToolShape
+);
 
 impl WordField for Option<Axis> {
     fn word(&self) -> Option<&'static str> {

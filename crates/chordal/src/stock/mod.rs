@@ -11,6 +11,7 @@ mod heights;
 mod inside;
 mod lathe;
 mod left;
+mod outline;
 mod pass;
 mod passed_heights;
 mod premise;
@@ -41,6 +42,7 @@ pub use lathe::{
     TurnedReplay, TurnedReport, TurnedShape, TurnedTarget, TurnedThread, TurnedToolRemoved,
 };
 pub use left::{StockLeft, ToolRemoves};
+pub(crate) use outline::{ToolFrustums, ToolPart, tool_outlines};
 pub use pass::StockOptions;
 pub use problems::StockProblem;
 pub use replay::{
@@ -48,6 +50,7 @@ pub use replay::{
 };
 pub use report::{StockReport, StockVerdict, ToolRemoved};
 pub use run::StockRunError;
+pub(crate) use setup::body_bounds;
 pub use setup::{SetupError, SetupFileReader};
 pub use target::TargetReport;
 /// Half sections: the outlines of turned parts.

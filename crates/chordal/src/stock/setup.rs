@@ -1,6 +1,6 @@
 //! The bodies of a setup as shapes in the frame of the run.
 
-use chordal_geometry::Vec3;
+use chordal_geometry::{Aabb, Vec3};
 use chordal_machine::{Axis as MachineAxis, Body, BodyShape, Machine, MeshUnit, ValueLocation};
 use chordal_stock::mesh::{LengthUnit, StlOptions, read_stl};
 use chordal_stock::shape::{ShapeAxis, ShapeError, SolidShape};
@@ -153,6 +153,18 @@ impl NamedBody<'_> {
             self.error(format!("{file} of `{name}`: {error}"), help)
         })
     }
+}
+
+/// A box around a body in its own coordinates, mm.
+///
+/// # Errors
+/// When the body is incomplete, or its file cannot be used.
+pub(crate) fn body_bounds(
+    name: &str,
+    body: &Body,
+    files: SetupFileReader<'_>,
+) -> Result<Aabb, SetupError> {
+    Ok(NamedBody { name, body }.shape(Vec3::ZERO, files, true)?.bounds())
 }
 
 /// The shift from coordinates in the body's work offset to those of the run, whose first cut is in the work offset

@@ -1,0 +1,14 @@
+//! Collisions of the bodies of a machine, the setup and the tools, along every move of a program.
+//!
+//! [`Job::collide`](crate::Job::collide) follows the axes through a run. The verdict is "clean" only where that is proved
+//! for every pair of bodies and every move.
+
+mod bodies;
+mod doubts;
+mod moves;
+mod problems;
+mod report;
+mod run;
+
+pub use report::{CollisionProblem, CollisionReport, CollisionVerdict};
+pub use run::{CollisionError, CollisionOptions};
