@@ -345,3 +345,20 @@ fn a_cylinder_that_turns_about_its_tip() {
         assert!(most - least < share * truth, "{least} {truth} {most}");
     }
 }
+
+#[test]
+fn a_tool_that_is_driven_into_the_block_certainly_touches_it() {
+    let solid = AxialSolid::of_cutter(&CutterProfile::flat(6.0).expect("flat"), 25.0);
+    let about = AxisTurn { about: Vec3::X, from: 0.0, to: -0.5 };
+    let turn = ToolTurn::new(Vec3::Z, &[about]).expect("a turn");
+    let path = Line { start: Vec3::new(0.0, -60.0, 55.0), end: Vec3::new(0.0, 12.0, 7.0) };
+    let moves = [TipMove { curve: path.into(), tag: 1 }];
+    let bodies = [solid];
+    let task = TurningTask { turns: &[turn], removes: None, may: None, bodies: &bodies };
+    for resolution in [0.8, 0.4, 0.2] {
+        let mut stock = block(15.0, resolution);
+        let found = stock.cut_turning(task, &moves, 0.01)[0][0];
+        assert!(found.least > 4.0 && found.most < 12.0, "{found:?}");
+        assert_eq!(stock.removed().most, 0.0);
+    }
+}

@@ -70,7 +70,7 @@ fn clip(limits: &mut Limits, slope: f64, at: f64, [low, high]: Limits) {
 
 /// Where a·u² + b·u + c is not positive between two limits, if that is one interval.
 fn not_positive([a, b, c]: [f64; 3], [from, to]: Limits) -> Option<Limits> {
-    if !(from <= to) {
+    if from > to || from.is_nan() || to.is_nan() {
         return None;
     }
     if a == 0.0 {

@@ -22,14 +22,14 @@ pub struct AxialSolid {
 
 /// A part of an outline: heights and radii of its ends.
 #[derive(Clone, Copy, Debug)]
-struct OutlineStretch {
+struct OutlineSection {
     heights: [f64; 2],
     radii: [f64; 2],
     /// By how much the true outline exceeds it, mm.
     swell: f64,
 }
 
-impl OutlineStretch {
+impl OutlineSection {
     fn slope(&self) -> f64 {
         (self.radii[1] - self.radii[0]) / self.length()
     }
@@ -51,7 +51,7 @@ impl AxialSolid {
         solid.add_side(cutter.rings(), end, &mut outline);
         let (side, radius) = (cutter.side(), cutter.radius());
         if end > side {
-            outline.push(OutlineStretch { heights: [side, end], radii: [radius; 2], swell: 0.0 });
+            outline.push(OutlineSection { heights: [side, end], radii: [radius; 2], swell: 0.0 });
         }
         cut_off(&mut outline, end);
         solid.add(&outline);
@@ -79,14 +79,14 @@ impl AxialSolid {
             let mut outline = chords(undercut.lower().rings());
             let (low, high) = (undercut.lower().side(), height - undercut.upper().side());
             if high > low {
-                outline.push(OutlineStretch {
+                outline.push(OutlineSection {
                     heights: [low, high],
                     radii: [radius; 2],
                     swell: 0.0,
                 });
             }
             let mirrored = chords(undercut.upper().rings()).into_iter().rev();
-            outline.extend(mirrored.map(|part| OutlineStretch {
+            outline.extend(mirrored.map(|part| OutlineSection {
                 heights: [height - part.heights[1], height - part.heights[0]],
                 radii: [part.radii[1], part.radii[0]],
                 ..part
@@ -106,7 +106,7 @@ impl AxialSolid {
         for &[length, lower, upper] in segments {
             let next = at + length.max(0.0);
             let radii = [0.5 * lower, 0.5 * upper];
-            outline.push(OutlineStretch { heights: [at, next], radii, swell: 0.0 });
+            outline.push(OutlineSection { heights: [at, next], radii, swell: 0.0 });
             at = next;
         }
         let mut solid = AxialSolid::default();
@@ -117,6 +117,15 @@ impl AxialSolid {
     /// Whether there is nothing of it.
     pub fn is_empty(&self) -> bool {
         self.elements.is_empty()
+    }
+
+    /// The same solid higher above the tip, mm.
+    #[must_use]
+    pub fn raised(mut self, by: f64) -> AxialSolid {
+        for element in &mut self.elements {
+            element.reference += by;
+        }
+        self
     }
 
     /// Both solids together.
@@ -142,7 +151,7 @@ impl AxialSolid {
     }
 
     /// Adds the whole quarters of tori on the lower side of a cutter, and the rest of it to its outline.
-    fn add_side(&mut self, rings: &[Ring], end: f64, outline: &mut Vec<OutlineStretch>) {
+    fn add_side(&mut self, rings: &[Ring], end: f64, outline: &mut Vec<OutlineSection>) {
         for ring in rings {
             let is_whole = match ring.element {
                 RingElement::Torus { round, middle, .. } => {
@@ -165,12 +174,12 @@ impl AxialSolid {
     }
 
     /// Adds what is inside of an outline, from below.
-    fn add(&mut self, outline: &[OutlineStretch]) {
-        let mut parts: Vec<OutlineStretch> = Vec::new();
+    fn add(&mut self, outline: &[OutlineSection]) {
+        let mut parts: Vec<OutlineSection> = Vec::new();
         for part in outline {
             let widest = part.radii[0].max(part.radii[1]);
             let right = part.length() > EQUAL_MM && widest > 0.0 && part.length().is_finite();
-            if !right || part.radii.iter().any(|radius| !(*radius >= 0.0)) {
+            if !right || part.radii.iter().any(|radius| *radius < 0.0 || radius.is_nan()) {
                 continue;
             }
             let longest = (2.0 * LONGEST_SHARE * widest).max(LEAST_LENGTH_MM);
@@ -182,13 +191,13 @@ impl AxialSolid {
             for n in 0..count as u32 {
                 let heights = [at(f64::from(n)), at(f64::from(n + 1))];
                 let radii = heights.map(|height| part.radius_at(height).max(0.0));
-                parts.push(OutlineStretch { heights, radii, ..*part });
+                parts.push(OutlineSection { heights, radii, ..*part });
             }
         }
         for (n, part) in parts.iter().enumerate() {
             let slope = part.slope();
             let mut rims = Vec::new();
-            let joins = |a: &OutlineStretch, b: &OutlineStretch| {
+            let joins = |a: &OutlineSection, b: &OutlineSection| {
                 (a.heights[1] - b.heights[0]).abs() < EQUAL_MM
             };
             let below = n
@@ -221,7 +230,7 @@ impl AxialSolid {
 }
 
 /// The sides of rings as straight parts inside of the solid; discs have none.
-fn chords(rings: &[Ring]) -> Vec<OutlineStretch> {
+fn chords(rings: &[Ring]) -> Vec<OutlineSection> {
     let mut found = Vec::new();
     for ring in rings {
         let count = match ring.element {
@@ -261,14 +270,14 @@ fn chords(rings: &[Ring]) -> Vec<OutlineStretch> {
         for n in 0..count {
             let (low, high) = (place(n), place(n + 1));
             let (heights, radii) = ([low[0], high[0]], [low[1], high[1]]);
-            found.push(OutlineStretch { heights, radii, swell });
+            found.push(OutlineSection { heights, radii, swell });
         }
     }
     found
 }
 
 /// Removes what is above a height.
-fn cut_off(outline: &mut Vec<OutlineStretch>, end: f64) {
+fn cut_off(outline: &mut Vec<OutlineSection>, end: f64) {
     outline.retain(|part| part.heights[0] < end);
     for part in outline {
         if part.heights[1] > end {

@@ -33,7 +33,7 @@ impl<'a> ElementMotion<'a> {
     }
 
     /// The point at a height above the tip on the axis of the tool, at a share of the move.
-    fn point(&self, share: f64, height: f64) -> Vec3 {
+    pub fn point(&self, share: f64, height: f64) -> Vec3 {
         let tip = match share {
             _ if self.length <= 0.0 || share <= 0.0 => self.curve.start(),
             _ if share >= 1.0 => self.curve.end(),
@@ -45,9 +45,14 @@ impl<'a> ElementMotion<'a> {
     /// By how much the true sweep of an element may differ from that of its middle direction along a straight line,
     /// on a part of the move with this share of it, mm.
     pub fn deviation(&self, element: &ConvexElement, share: f64) -> f64 {
-        let bend = self.bend + element.reference.abs() * self.rates[1];
+        self.deviation_within(element.reference, element.reach(), share)
+    }
+
+    /// The same for what is at most `reach` from the point at a height on the axis, mm.
+    pub fn deviation_within(&self, height: f64, reach: f64, share: f64) -> f64 {
+        let bend = self.bend + height.abs() * self.rates[1];
         let turned = 0.5 * self.rates[0] * share;
-        0.125 * bend * share * share + turned * element.reach() + ROUNDING_MM
+        0.125 * bend * share * share + turned * reach + ROUNDING_MM
     }
 
     /// Upper bound of how far a point of an element moves, mm.

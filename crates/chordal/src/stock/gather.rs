@@ -1,17 +1,18 @@
 //! Collects the moves of a run in batches of one tool and kind, and what must not touch on them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
-use chordal_machine::RotaryAxis;
+use chordal_machine::{RotaryAxis, TcpFrame};
 use chordal_path::{PathCommand, Segment, SegmentKind, depth_mm};
-use chordal_stock::TipMove;
+use chordal_stock::{TipMove, ToolTurn};
 
 use super::passed_heights::{VisitedPlaces, is_upright};
 use super::problems::{assumed_point_angle, not_cut};
 use super::tools::{NoBody, ToolBody};
+use super::turning::{TurnedEnd, tool_turn};
 use super::turns::{self, PartOrientation};
 use crate::job::Job;
 use crate::report::RunWatch;
@@ -57,6 +58,8 @@ pub(super) struct MoveBatch {
     /// The orientation of the part, as index in [`StockMoves::turns`].
     pub turn: usize,
     pub moves: Vec<TipMove>,
+    /// How the direction of the tool turns on each move; empty where it is upright on all of them.
+    pub tool_turns: Vec<ToolTurn>,
     /// For moves that must touch nothing, the part of each that no cut of the tool has passed before; `None` where
     /// nothing of it remains. Empty for cuts.
     pub checked: Vec<Option<TipMove>>,
@@ -102,6 +105,16 @@ pub(super) struct StockMoves<'a> {
     /// True where moves were left out because the part is turned, or turns, on them.
     pub leaves_out_turned: bool,
     visited: VisitedPlaces,
+    /// The frame of the part is one in which the control holds the tip while rotary axes turn.
+    follows_tip: bool,
+    /// The frame of the tip is the part as it lies where its control begins.
+    is_frame_at_activation: bool,
+    /// The frame of the part lies on it as with the tables at other angles than zero.
+    is_frame_turned: bool,
+    /// Where the last cut has ended that was not upright.
+    turned_end: Option<TurnedEnd>,
+    /// The tools that have cut while their direction changed.
+    turning_tools: BTreeSet<u32>,
     row: u32,
     /// The work offset of the first cut, which is the frame of the run.
     pub work: Option<String>,
@@ -148,6 +161,11 @@ impl<'a> StockMoves<'a> {
             swings: Vec::new(),
             leaves_out_turned: false,
             visited: VisitedPlaces::default(),
+            follows_tip: false,
+            is_frame_at_activation: job.machine().tcp_frame == TcpFrame::Activation,
+            is_frame_turned: false,
+            turned_end: None,
+            turning_tools: BTreeSet::new(),
             row: 0,
             work: None,
             work_now: None,
@@ -239,9 +257,14 @@ impl<'a> StockMoves<'a> {
     /// Takes a move in a frame of the part. While the rotary axes stand, it is turned with the part to where the tool is
     /// upright.
     fn segment_on_part(&mut self, segment: &Segment, kind: BatchKind) {
-        if !turns::are_same(segment.rotary_from, segment.rotary_to) {
-            let why = "the direction of the tool changes on it";
+        if self.is_frame_turned {
+            let why = "its coordinates are those of the part at other angles than zero";
             return self.report_once(Code::StockNotFollowed, segment, why);
+        }
+        let stands = turns::are_same(segment.rotary_from, segment.rotary_to);
+        let is_side = || self.turns.iter().any(|turn| turn.is_at(segment.rotary_from));
+        if !stands || self.turning_tools.contains(&segment.tool) && !is_side() {
+            return self.segment_turning(segment, kind);
         }
         match self.turn(segment.rotary_from) {
             Ok(index) => {
@@ -250,6 +273,72 @@ impl<'a> StockMoves<'a> {
             }
             Err(why) => self.report_once(Code::StockNotFollowed, segment, &why),
         }
+    }
+
+    /// Takes a move on which the direction of the tool changes, or has changed before: it is cut from the side that was
+    /// cut last, with the tool as it lies there.
+    fn segment_turning(&mut self, segment: &Segment, kind: BatchKind) {
+        let stands = turns::are_same(segment.rotary_from, segment.rotary_to);
+        if !stands && !self.follows_tip {
+            let why = "rotary axes turn on it, and the tip is not held";
+            return self.report_once(Code::StockNotFollowed, segment, why);
+        }
+        if !self.follows_turns {
+            self.leaves_out_turned = true;
+            let why = "the direction of the tool changes on it";
+            return self.report_once(Code::StockNotFollowed, segment, why);
+        }
+        if segment.unrelated_zero.is_some() {
+            return self.frame_not_known(segment, kind);
+        }
+        let mut angles = [segment.rotary_from, segment.rotary_to];
+        let mut curve = segment.curve;
+        if !segment.known {
+            let rest = if kind.is_rapid() { Some(self.rapid_of(segment)) } else { None };
+            match rest {
+                Some(PartlyKnown::Clear) => return,
+                Some(PartlyKnown::End(_)) => {
+                    // Only where it ends is known.
+                    let end = curve.end();
+                    (curve, angles[0]) = (Curve::Line(Line { start: end, end }), angles[1]);
+                }
+                Some(PartlyKnown::AtDepth) | None => {
+                    let why = "where the tool is relative to the part is not known";
+                    return self.report_once(Code::StockNotFollowed, segment, why);
+                }
+            }
+        }
+        if !segment.tip_known {
+            return self.tip_not_known(segment, kind);
+        }
+        let side = self.batches.last().map_or(0, |batch| batch.turn);
+        let to_program = self.turns[side].to_program;
+        let turn = match tool_turn(&self.rotary, angles, &to_program) {
+            Ok(turn) => turn,
+            Err(why) => return self.report_once(Code::StockNotFollowed, segment, &why),
+        };
+        let end = TurnedEnd { tool: segment.tool, angles: angles[1], tip: curve.end() };
+        let is_free = kind.is_rapid() && stands && self.leaves_turned_end(segment, &turn, side);
+        curve = curve.transformed(&to_program);
+        self.put(&Segment { curve, ..*segment }, kind, side, Some(turn), is_free);
+        self.turned_end = (kind == BatchKind::Cut).then_some(end);
+        if kind == BatchKind::Cut && !stands {
+            self.turning_tools.insert(segment.tool);
+        }
+    }
+
+    /// Whether a rapid goes straight back along the tool from where it has ended a cut.
+    fn leaves_turned_end(&self, segment: &Segment, turn: &ToolTurn, side: usize) -> bool {
+        let (Some(end), Curve::Line(line)) = (&self.turned_end, &segment.curve) else {
+            return false;
+        };
+        let back = self.turns[side].to_program.apply_direction(line.end - line.start);
+        let is_back = back.dot(turn.direction(0.0)) >= back.length() * (1.0 - 1e-12);
+        let widens = |body: &ToolBody| body.widens() && body.core.is_none();
+        let tool = self.tools.get(&segment.tool).and_then(|body| body.as_ref().ok());
+        is_back
+            && end.is_start_of(segment.tool, segment.rotary_from, line.start)
+            && tool.is_some_and(widens)
     }
 
     fn segment_on_machine(&mut self, segment: &Segment, kind: BatchKind) {
@@ -344,6 +433,30 @@ impl<'a> StockMoves<'a> {
             Ok(turn) => turn,
             Err(why) => return self.report_once(Code::StockNotFollowed, segment, &why),
         };
+        if let Some(end) = self.turned_end.take() {
+            let place = self.turns[turn].to_program.apply_point(end.tip);
+            let start = segment.curve.start();
+            let own = TurnedEnd { tip: place, ..end };
+            if own.is_start_of(segment.tool, segment.rotary_from, start) {
+                // The cut has ended here, with the tool in this direction.
+                let point = Curve::Line(Line { start, end: start });
+                self.visited.cut(segment.tool, turn, &point);
+            }
+        }
+        self.put(segment, kind, turn, None, false);
+        self.turned_end = None;
+    }
+
+    /// Adds a move to the batches of a side. `tool_turn` is set where the tool is not upright on that; `is_free` where
+    /// it is known to touch nothing.
+    fn put(
+        &mut self,
+        segment: &Segment,
+        kind: BatchKind,
+        turn: usize,
+        tool_turn: Option<ToolTurn>,
+        is_free: bool,
+    ) {
         if !kind.is_rapid() {
             let count = self.counts.entry(segment.tool).or_insert((0, f64::INFINITY));
             count.0 += 1;
@@ -357,15 +470,18 @@ impl<'a> StockMoves<'a> {
                 }
             }
         }
-        let follows =
-            |batch: &MoveBatch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
+        let follows = |batch: &MoveBatch| {
+            (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn)
+                && batch.tool_turns.is_empty() == tool_turn.is_none()
+        };
         if !self.batches.last().is_some_and(follows) {
-            let (moves, checked, origins, rates, rows) = Default::default();
+            let (moves, tool_turns, checked, origins, rates, rows) = Default::default();
             self.batches.push(MoveBatch {
                 tool: segment.tool,
                 kind,
                 turn,
                 moves,
+                tool_turns,
                 checked,
                 origins,
                 rates,
@@ -379,9 +495,14 @@ impl<'a> StockMoves<'a> {
             by_time: self.by_time && !origin.cycle,
         };
         let path = TipMove { curve: segment.curve, tag: segment.tool };
-        let checked = self.checked_part(&path, kind, turn);
+        let checked = match (kind, tool_turn) {
+            (BatchKind::Cut, Some(_)) => None,
+            (_, Some(_)) => Some(Some(path).filter(|_| !is_free)),
+            (_, None) => self.checked_part(&path, kind, turn),
+        };
         if let Some(batch) = self.batches.last_mut() {
             batch.moves.push(path);
+            batch.tool_turns.extend(tool_turn);
             batch.checked.extend(checked);
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
@@ -448,6 +569,11 @@ impl RunWatch for StockMoves<'_> {
             CommandKind::Tool { .. } => self.has_moved_in_z = false,
             CommandKind::Units(units) => self.units = *units,
             CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
+            CommandKind::PartFrame { frame, .. } => {
+                self.follows_tip = frame.as_ref().is_some_and(|frame| frame.follows_tip);
+                self.is_frame_turned = self.is_frame_at_activation
+                    && frame.as_ref().is_some_and(|frame| frame.frame_angles != [0.0; 3]);
+            }
             CommandKind::WorkOffset { name, .. } => {
                 self.work_now = Some(name.table_key(self.naming));
             }

@@ -26,6 +26,7 @@ mod solid_intervals;
 mod target;
 mod teeth;
 mod tools;
+mod turning;
 mod turns;
 
 pub use chordal_stock::columns::{JobResult, JobRunner, TileJob};
