@@ -1,7 +1,9 @@
 //! Stock against dense sampling, with tools whose direction turns while they move. The truth is found here anew: whether
 //! a point is in the tool at some pose of the move.
 //!
-//! `CHORDAL_ROUNDS` is the number of random moves.
+//! More: `CHORDAL_ROUNDS=100000 cargo test --release -p chordal-stock --test oblique`.
+
+#![allow(clippy::disallowed_methods, reason = "a test reads how many rounds it is to run")]
 
 use std::f64::consts::{FRAC_PI_2, PI};
 

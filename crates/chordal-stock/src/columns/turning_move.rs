@@ -66,12 +66,12 @@ impl TurningSolids {
     pub fn of(task: &TurningTask<'_>, tolerance: f64) -> TurningSolids {
         /// Where nothing is given, contacts are looked for down to this, mm.
         const USUAL_MM: f64 = 1e-3;
-        let is_given = tolerance > 0.0 && tolerance.is_finite();
+        let is_above_zero = tolerance > 0.0 && tolerance.is_finite();
         TurningSolids {
             removes: task.removes.cloned(),
             may: task.may.cloned(),
             bodies: task.bodies.to_vec(),
-            tolerance: if is_given { tolerance } else { USUAL_MM },
+            tolerance: if is_above_zero { tolerance } else { USUAL_MM },
         }
     }
 

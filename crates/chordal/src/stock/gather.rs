@@ -1,5 +1,7 @@
 //! Collects the moves of a run in batches of one tool and kind, and what must not touch on them.
 
+mod turning;
+
 use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
@@ -12,10 +14,10 @@ use chordal_stock::{TipMove, ToolTurn};
 use super::passed_heights::{VisitedPlaces, is_upright};
 use super::problems::{assumed_point_angle, not_cut};
 use super::tools::{NoBody, ToolBody};
-use super::turning::{TurnedEnd, tool_turn};
 use super::turns::{self, PartOrientation};
 use crate::job::Job;
 use crate::report::RunWatch;
+use turning::TurnedEnd;
 
 /// Most orientations of the part in a run: each has columns of its own.
 const MAX_TURNS: usize = 64;
@@ -273,72 +275,6 @@ impl<'a> StockMoves<'a> {
             }
             Err(why) => self.report_once(Code::StockNotFollowed, segment, &why),
         }
-    }
-
-    /// Takes a move on which the direction of the tool changes, or has changed before: it is cut from the side that was
-    /// cut last, with the tool as it lies there.
-    fn segment_turning(&mut self, segment: &Segment, kind: BatchKind) {
-        let stands = turns::are_same(segment.rotary_from, segment.rotary_to);
-        if !stands && !self.follows_tip {
-            let why = "rotary axes turn on it, and the tip is not held";
-            return self.report_once(Code::StockNotFollowed, segment, why);
-        }
-        if !self.follows_turns {
-            self.leaves_out_turned = true;
-            let why = "the direction of the tool changes on it";
-            return self.report_once(Code::StockNotFollowed, segment, why);
-        }
-        if segment.unrelated_zero.is_some() {
-            return self.frame_not_known(segment, kind);
-        }
-        let mut angles = [segment.rotary_from, segment.rotary_to];
-        let mut curve = segment.curve;
-        if !segment.known {
-            let rest = if kind.is_rapid() { Some(self.rapid_of(segment)) } else { None };
-            match rest {
-                Some(PartlyKnown::Clear) => return,
-                Some(PartlyKnown::End(_)) => {
-                    // Only where it ends is known.
-                    let end = curve.end();
-                    (curve, angles[0]) = (Curve::Line(Line { start: end, end }), angles[1]);
-                }
-                Some(PartlyKnown::AtDepth) | None => {
-                    let why = "where the tool is relative to the part is not known";
-                    return self.report_once(Code::StockNotFollowed, segment, why);
-                }
-            }
-        }
-        if !segment.tip_known {
-            return self.tip_not_known(segment, kind);
-        }
-        let side = self.batches.last().map_or(0, |batch| batch.turn);
-        let to_program = self.turns[side].to_program;
-        let turn = match tool_turn(&self.rotary, angles, &to_program) {
-            Ok(turn) => turn,
-            Err(why) => return self.report_once(Code::StockNotFollowed, segment, &why),
-        };
-        let end = TurnedEnd { tool: segment.tool, angles: angles[1], tip: curve.end() };
-        let is_free = kind.is_rapid() && stands && self.leaves_turned_end(segment, &turn, side);
-        curve = curve.transformed(&to_program);
-        self.put(&Segment { curve, ..*segment }, kind, side, Some(turn), is_free);
-        self.turned_end = (kind == BatchKind::Cut).then_some(end);
-        if kind == BatchKind::Cut && !stands {
-            self.turning_tools.insert(segment.tool);
-        }
-    }
-
-    /// Whether a rapid goes straight back along the tool from where it has ended a cut.
-    fn leaves_turned_end(&self, segment: &Segment, turn: &ToolTurn, side: usize) -> bool {
-        let (Some(end), Curve::Line(line)) = (&self.turned_end, &segment.curve) else {
-            return false;
-        };
-        let back = self.turns[side].to_program.apply_direction(line.end - line.start);
-        let is_back = back.dot(turn.direction(0.0)) >= back.length() * (1.0 - 1e-12);
-        let widens = |body: &ToolBody| body.widens() && body.core.is_none();
-        let tool = self.tools.get(&segment.tool).and_then(|body| body.as_ref().ok());
-        is_back
-            && end.is_start_of(segment.tool, segment.rotary_from, line.start)
-            && tool.is_some_and(widens)
     }
 
     fn segment_on_machine(&mut self, segment: &Segment, kind: BatchKind) {

@@ -26,7 +26,7 @@ mod solid_intervals;
 mod target;
 mod teeth;
 mod tools;
-mod turning;
+mod turning_bodies;
 mod turns;
 
 pub use chordal_stock::columns::{JobResult, JobRunner, TileJob};

@@ -1,58 +1,9 @@
-//! Moves on which the direction of the tool changes, and their bodies.
+//! The bodies of a tool that is not upright.
 
-use chordal_geometry::{Transform, Vec3};
-use chordal_machine::{RotaryAxis, tool_rotations};
-use chordal_stock::{AxialSolid, AxisTurn, ToolTurn};
+use chordal_diagnostics::Code;
+use chordal_stock::{AxialSolid, CutterProfile};
 
 use super::tools::{ShankPiece, ToolBody, UNKNOWN_SHANK_MM};
-use super::turns::are_same;
-use chordal_diagnostics::Code;
-
-/// Positions that differ by less than this are equal, mm.
-const COINCIDENT_MM: f64 = 1e-6;
-const LETTERS: [char; 3] = ['A', 'B', 'C'];
-
-/// Where a cut has ended whose tool is not upright.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct TurnedEnd {
-    pub tool: u32,
-    /// Angles of A, B and C, rad.
-    pub angles: [f64; 3],
-    /// The tip, mm.
-    pub tip: Vec3,
-}
-
-impl TurnedEnd {
-    /// Whether a move of a tool begins there.
-    pub fn is_start_of(&self, tool: u32, angles: [f64; 3], tip: Vec3) -> bool {
-        self.tool == tool && are_same(self.angles, angles) && self.tip.distance(tip) < COINCIDENT_MM
-    }
-}
-
-/// How the direction of the tool turns while A, B and C turn evenly from some angles to others (rad), as seen from a
-/// side; an error says why it is not known.
-pub(super) fn tool_turn(
-    rotary: &[RotaryAxis; 3],
-    [from, to]: [[f64; 3]; 2],
-    to_side: &Transform,
-) -> Result<ToolTurn, String> {
-    for axis in 0..3 {
-        if rotary[axis].turns.is_none() && (from[axis] != 0.0 || to[axis] != 0.0) {
-            let letter = LETTERS[axis];
-            return Err(format!("what {letter} turns is not known: give [rotary.{letter}]"));
-        }
-    }
-    let turns: Vec<AxisTurn> = tool_rotations(rotary)
-        .into_iter()
-        .map(|rotation| AxisTurn {
-            about: to_side.apply_direction(rotation.about),
-            from: from[rotation.axis],
-            to: to[rotation.axis],
-        })
-        .collect();
-    ToolTurn::new(to_side.apply_direction(Vec3::Z), &turns)
-        .ok_or_else(|| "the angles of its rotary axes are not known".to_string())
-}
 
 impl ToolBody {
     /// What it removes where it is not upright: what is certainly removed and, where more may be, that.
@@ -60,7 +11,7 @@ impl ToolBody {
         if !self.undercuts.is_empty() {
             return [Some(AxialSolid::of_undercuts(&self.undercuts)), None];
         }
-        let of = |cutter: &chordal_stock::CutterProfile| {
+        let of = |cutter: &CutterProfile| {
             AxialSolid::of_cutter(cutter, cutter.flutes().unwrap_or(UNKNOWN_SHANK_MM))
         };
         match &self.core {
