@@ -285,12 +285,17 @@ fn check(seed: u64) -> [u64; 3] {
 fn the_truth_is_between_the_bounds() {
     let rounds = std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok());
     let rounds: u64 = rounds.unwrap_or(300);
-    let mut counts = [0; 3];
-    for seed in 0..rounds {
-        for (sum, own) in counts.iter_mut().zip(check(seed)) {
-            *sum += own;
-        }
-    }
+    // Two threads, each with every second seed.
+    let half = |first: u64| {
+        let seeds = (first..rounds).step_by(2);
+        seeds.map(check).fold([0; 3], |sum, own| [0, 1, 2].map(|n| sum[n] + own[n]))
+    };
+    let counts = std::thread::scope(|scope| {
+        let other = scope.spawn(|| half(1));
+        let own = half(0);
+        let other = other.join().expect("the other half of the moves");
+        [0, 1, 2].map(|n| own[n] + other[n])
+    });
     println!("{rounds} moves: gone, left, open: {counts:?}");
     // The bounds say something: most places are certainly gone or certainly left.
     assert!(counts[0] > rounds && counts[1] > rounds && counts[2] < counts[0] + counts[1]);
@@ -362,5 +367,60 @@ fn a_tool_that_is_driven_into_the_block_certainly_touches_it() {
         let found = stock.cut_turning(task, &moves, 0.01)[0][0];
         assert!(found.least > 4.0 && found.most < 12.0, "{found:?}");
         assert_eq!(stock.removed().most, 0.0);
+    }
+}
+
+/// A block, with the points of it that are looked at: a grid with this spacing.
+const SPACING: f64 = 0.5;
+
+fn points(half: f64) -> impl Iterator<Item = Vec3> {
+    let count = (2.0 * half / SPACING) as u32;
+    let at = move |n: u32| -half + (f64::from(n) + 0.5) * SPACING;
+    (0..count).flat_map(move |x| {
+        (0..count).flat_map(move |y| (0..count).map(move |z| Vec3::new(at(x), at(y), at(z))))
+    })
+}
+
+#[test]
+fn contacts_are_between_their_bounds() {
+    const HALF: f64 = 5.0;
+    let mut found = [0; 2];
+    for seed in 0..24 {
+        let path = SampledMove::random(&mut RandomNumbers(seed + 7_000_000));
+        let body = [AxialSolid::of_cutter(&path.tool.profile(), path.length)];
+        let turn = ToolTurn::new(path.direction, &path.turns).expect("a turn");
+        let task = TurningTask { turns: &[turn], removes: None, may: None, bodies: &body };
+        let moves = [TipMove { curve: path.path.into(), tag: 1 }];
+        let contact = block(HALF, 1.0).cut_turning(task, &moves, 0.01)[0][0];
+        let deepest =
+            points(HALF).map(|point| path.nearest(point, 24)).fold(f64::INFINITY, f64::min);
+        let said = format!("seed {seed}: {contact:?} {deepest}");
+        // A point of the block that is in the tool has a chord of the tool around it.
+        assert!(deepest >= -1e-6 || contact.most >= -deepest, "{said}");
+        // A chord over all of a cell contains points of the grid.
+        assert!(contact.least <= 2.0 * SPACING || deepest <= 1e-6, "{said}");
+        found[0] += u32::from(contact.least > 0.01);
+        found[1] += u32::from(contact.most <= 0.01);
+    }
+    assert!(found[0] > 4 && found[1] > 1, "{found:?}");
+}
+
+#[test]
+fn a_shank_in_what_its_edges_have_cut_is_no_touch() {
+    // The edges are 12 mm long and go 8 mm deep, the shank above them is narrower: it never touches. With edges of 4 mm
+    // it does.
+    let cutter = CutterProfile::flat(6.0).expect("flat");
+    let about = AxisTurn { about: Vec3::Y, from: 0.0, to: 0.3 };
+    let turn = ToolTurn::new(Vec3::Z, &[about]).expect("a turn");
+    let path = Line { start: Vec3::new(-20.0, 0.0, 7.0), end: Vec3::new(20.0, 0.0, 7.0) };
+    let moves = [TipMove { curve: path.into(), tag: 1 }];
+    for (length, touches) in [(12.0, false), (4.0, true)] {
+        let edges = AxialSolid::of_cutter(&cutter, length);
+        let shank = [AxialSolid::stack(length, &[[30.0, 5.0, 5.0]])];
+        let task = TurningTask { turns: &[turn], removes: Some(&edges), may: None, bodies: &shank };
+        let mut stock = block(15.0, 0.5);
+        let contact = stock.cut_turning(task, &moves, 0.01)[0][0];
+        assert_eq!(contact.least > 0.01, touches, "{contact:?}");
+        assert_eq!(contact.most > 0.01, touches, "{contact:?}");
     }
 }

@@ -40,6 +40,19 @@ pub struct TurningTask<'a> {
     pub bodies: &'a [AxialSolid],
 }
 
+impl TurningTask<'_> {
+    /// The number of straight sweeps of a part of the tool that a move takes in columns with this side, mm.
+    pub fn sweeps(&self, curve: &Curve, turn: &ToolTurn, resolution: f64) -> u64 {
+        let motion = ElementMotion::new(curve, turn);
+        let of = |solid: &AxialSolid| {
+            let elements = solid.elements();
+            let parts = motion.parts(elements, DEVIATION_SHARE * resolution, MAX_PARTS);
+            u64::from(parts) * elements.len() as u64
+        };
+        self.removes.into_iter().chain(self.may).map(of).sum()
+    }
+}
+
 /// A whole move of a tool that turns.
 #[derive(Clone, Debug)]
 pub(crate) struct TurningMove {

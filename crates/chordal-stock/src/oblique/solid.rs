@@ -139,17 +139,6 @@ impl AxialSolid {
         &self.elements
     }
 
-    /// The number of parts into which a move is divided so that none of its parts deviates by more than a tolerance
-    /// (mm) from its straight sweep.
-    pub fn parts(
-        &self,
-        curve: &chordal_geometry::Curve,
-        turn: &super::ToolTurn,
-        tolerance: f64,
-    ) -> u32 {
-        super::ElementMotion::new(curve, turn).parts(&self.elements, tolerance, u32::MAX)
-    }
-
     /// Adds the whole quarters of tori on the lower side of a cutter, and the rest of it to its outline.
     fn add_side(&mut self, rings: &[Ring], end: f64, outline: &mut Vec<OutlineSection>) {
         for ring in rings {

@@ -101,6 +101,7 @@ impl Job<'_> {
         let premise = self.stock_premise()?;
         let bodies = SetupBodies::of(self, &premise.body, &gathered, files)?;
         let resolution = options.resolution_mm.unwrap_or_else(|| usual_resolution(&bodies.stock));
+        gathered.limit_turning(resolution);
         bodies.look_at_swings(self, &mut gathered);
         // Each orientation of the part has columns of its own.
         let budget = options.budget / gathered.turns.len() as u64;

@@ -4,14 +4,17 @@ use chordal_diagnostics::Code;
 use chordal_geometry::{Curve, Line, ParamCurve, Transform, Vec3};
 use chordal_machine::{RotaryAxis, tool_rotations};
 use chordal_path::Segment;
-use chordal_stock::{AxisTurn, ToolTurn};
+use chordal_stock::{AxisTurn, ToolTurn, TurningTask};
 
+use super::super::problems::not_cut;
 use super::super::tools::ToolBody;
 use super::super::turns::are_same;
 use super::{BatchKind, PartlyKnown, StockMoves};
 
 /// Positions that differ by less than this are equal, mm.
 const COINCIDENT_MM: f64 = 1e-6;
+/// Most straight sweeps of parts of tools that turn, in a run: some ten minutes.
+const MAX_SWEEPS: u64 = 3_000_000;
 const LETTERS: [char; 3] = ['A', 'B', 'C'];
 
 /// Where a cut has ended whose tool is not upright.
@@ -57,6 +60,48 @@ pub(super) fn tool_turn(
 }
 
 impl StockMoves<'_> {
+    /// Leaves out the moves of turning tools that take more sweeps in columns with this side (mm) than are carried out,
+    /// and reports the first of each tool.
+    pub fn limit_turning(&mut self, resolution: f64) {
+        let mut left = MAX_SWEEPS;
+        let mut reported = Vec::new();
+        for batch in self.batches.iter_mut().filter(|batch| !batch.tool_turns.is_empty()) {
+            let Some(Ok(tool)) = self.tools.get(&batch.tool) else { continue };
+            let [removes, may] = tool.solids();
+            let task = TurningTask {
+                turns: &[],
+                removes: removes.as_ref(),
+                may: may.as_ref(),
+                bodies: &[],
+            };
+            let follows = batch.moves.iter().zip(&batch.tool_turns).position(|(path, turn)| {
+                let sweeps = task.sweeps(&path.curve, turn, resolution);
+                left = left.saturating_sub(sweeps);
+                left == 0
+            });
+            let Some(end) = follows else { continue };
+            if let Some(origin) = batch.origins.get(end) {
+                reported.push((batch.tool, *origin, batch.kind.is_rapid()));
+            }
+            batch.moves.truncate(end);
+            batch.tool_turns.truncate(end);
+            batch.checked.truncate(end);
+            batch.origins.truncate(end);
+            batch.rates.truncate(end);
+            batch.rows.truncate(end);
+        }
+        self.batches.retain(|batch| !batch.moves.is_empty());
+        for (tool, origin, is_rapid) in reported {
+            self.misses_cuts |= !is_rapid;
+            let code = Code::StockNotFollowed;
+            if !self.reported.contains(&(code, tool)) {
+                self.reported.push((code, tool));
+                let why = "the tool turns too often for columns of this size; wider ones take fewer sweeps";
+                self.diagnostics.push(not_cut(code, &origin, tool, why));
+            }
+        }
+    }
+
     /// Takes a move on which the direction of the tool changes, or has changed before: it is cut from the side that was
     /// cut last, with the tool as it lies there.
     pub(super) fn segment_turning(&mut self, segment: &Segment, kind: BatchKind) {
