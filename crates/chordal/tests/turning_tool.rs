@@ -29,7 +29,7 @@ flute_length = "25 mm"
 
 fn run_at(resolution: f64, setup: &str, blocks: &str) -> StockReport {
     let program = format!(
-        "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X0. Y0. A0. C0.\nG43.4 H1 Z50.\n{blocks}G49\nM30\n"
+        "O1\nG21 G90 G54\nT1 M6\nS3000 M3\nG0 X0. Y0. C0.\nG43.4 H1 Z50.\n{blocks}G49\nM30\n"
     );
     let none = |name: &str| Err(format!("no file {name}"));
     let machine = Machine::from_toml("setup.toml", setup, &none).expect("a good setup");
@@ -67,6 +67,53 @@ fn a_tool_that_leans_to_both_sides_about_its_tip() {
         last = gap;
     }
     assert!(last < 0.2 * truth, "{last} {truth}");
+}
+
+#[test]
+fn a_head_leans_the_tool_as_a_table_leans_the_part() {
+    let setup = TRUNNION
+        .replace("fanuc-ac-trunnion", "fanuc-head-table")
+        .replace("[rotary.A]\npoint = { Y = \"-200 mm\", Z = \"-400 mm\" }\n", "");
+    let (depth, angle) = (10.0_f64, 20_f64.to_radians());
+    let truth = angle.tan() * (4.0 / 3.0 * 27.0 + 2.0 * 3.0 * depth * depth)
+        + PI * 9.0 * depth / angle.cos();
+    let found = run(&setup, "G0 Z2.\nG1 Z-10. F600.\nB20.\nX0.\nB-20.\nB0.\nG0 Z50.\n");
+    assert_eq!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+    let removed = found.removed_mm3;
+    assert!(removed.least <= truth && truth <= removed.most, "{truth} {removed:?}");
+    assert!(removed.most - removed.least < 0.35 * truth, "{removed:?}");
+}
+
+#[test]
+fn axes_that_are_not_known_are_not_followed() {
+    let setup = TRUNNION.replace("fanuc-ac-trunnion", "linuxcnc-mill");
+    let setup = format!("{setup}[axes.A]\n[axes.C]\n");
+    let found = run(&setup, "G1 X10. A20. F600.\n");
+    assert_ne!(found.verdict, StockVerdict::Clean, "{:?}", found.report.diagnostics);
+}
+
+#[test]
+fn a_shank_and_a_fixture_are_found_and_missed() {
+    // The tool comes down beside the block and leans 40 degrees over its edge, with its tip 12 mm deep: edges of 6 mm end
+    // inside of the block, those of 25 mm do not.
+    let blocks = "G0 Y26. Z10.\nG1 Z-12. F600.\nY19. A40.\nY26. A0.\nG0 Z40.\n";
+    let long = run(TRUNNION, blocks);
+    assert_eq!(long.verdict, StockVerdict::Clean, "{:?}", long.report.diagnostics);
+    let short = TRUNNION.replace("flute_length = \"25 mm\"", "flute_length = \"6 mm\"");
+    let short = run(&short, blocks);
+    assert_eq!(short.verdict, StockVerdict::Problems, "{:?}", short.report.diagnostics);
+    assert!(codes(&short).contains(&"CH621"), "{:?}", short.report.diagnostics);
+    let jaw = |from: f64| {
+        format!(
+            "{TRUNNION}[fixtures.jaw]\nshape = \"box\"\nfrom = {{ X = \"-20 mm\", Y = \"{from} mm\", Z = \"0 mm\" }}\n\
+             to = {{ X = \"20 mm\", Y = \"{} mm\", Z = \"8 mm\" }}\n",
+            from + 5.0
+        )
+    };
+    let near = run(&jaw(0.0), blocks);
+    assert!(codes(&near).contains(&"CH624"), "{:?}", near.report.diagnostics);
+    let far = run(&jaw(-12.0), blocks);
+    assert_eq!(far.verdict, StockVerdict::Clean, "{:?}", far.report.diagnostics);
 }
 
 #[test]

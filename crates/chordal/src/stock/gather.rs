@@ -7,7 +7,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
-use chordal_machine::{RotaryAxis, TcpFrame};
+use chordal_machine::{RotaryAxis, RotaryTarget, TcpFrame};
 use chordal_path::{PathCommand, Segment, SegmentKind, depth_mm};
 use chordal_stock::{TipMove, ToolTurn};
 
@@ -257,7 +257,7 @@ impl<'a> StockMoves<'a> {
     }
 
     /// Takes a move in a frame of the part. While the rotary axes stand, it is turned with the part to where the tool is
-    /// upright.
+    /// upright; with a head it is cut as it leans.
     fn segment_on_part(&mut self, segment: &Segment, kind: BatchKind) {
         if self.is_frame_turned {
             let why = "its coordinates are those of the part at other angles than zero";
@@ -265,7 +265,13 @@ impl<'a> StockMoves<'a> {
         }
         let stands = turns::are_same(segment.rotary_from, segment.rotary_to);
         let is_side = || self.turns.iter().any(|turn| turn.is_at(segment.rotary_from));
-        if !stands || self.turning_tools.contains(&segment.tool) && !is_side() {
+        let is_on_head = self
+            .rotary
+            .iter()
+            .zip(segment.rotary_from)
+            .any(|(axis, angle)| axis.turns == Some(RotaryTarget::Head) && angle != 0.0);
+        let goes_on = || self.turning_tools.contains(&segment.tool) && !is_side();
+        if !stands || is_on_head || goes_on() {
             return self.segment_turning(segment, kind);
         }
         match self.turn(segment.rotary_from) {

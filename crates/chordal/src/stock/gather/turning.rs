@@ -13,8 +13,8 @@ use super::{BatchKind, PartlyKnown, StockMoves};
 
 /// Positions that differ by less than this are equal, mm.
 const COINCIDENT_MM: f64 = 1e-6;
-/// Most straight sweeps of parts of tools that turn, in a run: some ten minutes.
-const MAX_SWEEPS: u64 = 3_000_000;
+/// Most straight sweeps of parts of tools that turn, in a run: they take some ten minutes.
+const MAX_SWEEPS: u64 = 1_000_000;
 const LETTERS: [char; 3] = ['A', 'B', 'C'];
 
 /// Where a cut has ended whose tool is not upright.
@@ -102,7 +102,7 @@ impl StockMoves<'_> {
         }
     }
 
-    /// Takes a move on which the direction of the tool changes, or has changed before: it is cut from the side that was
+    /// Takes a move on which the direction of the tool changes, has changed before, or is that of a head: it is cut from the side that was
     /// cut last, with the tool as it lies there.
     pub(super) fn segment_turning(&mut self, segment: &Segment, kind: BatchKind) {
         let stands = are_same(segment.rotary_from, segment.rotary_to);
