@@ -117,6 +117,20 @@ fn a_shank_and_a_fixture_are_found_and_missed() {
 }
 
 #[test]
+fn a_gouge_while_the_tool_turns_is_found() {
+    let target = "[target]\nshape = \"box\"\nfrom = { X = \"-20 mm\", Y = \"-20 mm\", Z = \"-30 mm\" }\n\
+                  to = { X = \"20 mm\", Y = \"20 mm\", Z = \"-5 mm\" }\n";
+    let setup = format!("{TRUNNION}{target}");
+    // Leaning 20 degrees, the edge of the tool is 3 sin 20° = 1.03 mm below its tip.
+    let at = |z: &str| format!("G0 Z2.\nG1 Z{z} F600.\nA20.\nA-20.\nA0.\nG0 Z50.\n");
+    let clean = run(&setup, &at("-3.9"));
+    assert_eq!(clean.verdict, StockVerdict::Clean, "{:?}", clean.report.diagnostics);
+    let gouged = run(&setup, &at("-4.5"));
+    assert_eq!(gouged.verdict, StockVerdict::Problems, "{:?}", gouged.report.diagnostics);
+    assert!(codes(&gouged).contains(&"CH626"), "{:?}", gouged.report.diagnostics);
+}
+
+#[test]
 fn a_planted_rapid_through_the_stock_is_found() {
     let found = run(TRUNNION, "G0 Y-60. Z40.\nY30. Z-8. A30.\nZ50.\n");
     assert_eq!(found.verdict, StockVerdict::Problems, "{:?}", found.report.diagnostics);
