@@ -15,6 +15,7 @@
 //! | find whether a rapid, a shank or a holder touches the stock | [`ColumnStock::touch`], [`ColumnStock::cut_watching`] |
 //! | repeat with finer cells what cells cannot decide | [`StockCheck`] |
 //! | measure the width, the depth and the chip of a cut | [`engagement`], [`ColumnStock::cut_measuring`] |
+//! | remove what a tool sweeps while its direction turns | [`TurningTask`], [`AxialSolid`], [`ToolTurn`] |
 //! | find how deep one exact move reaches above a point in plan | [`floor`] |
 //! | cut turned stock: exact half sections, volumes, passes | [`lathe`] |
 //!
@@ -47,15 +48,17 @@ pub mod engagement;
 pub mod floor;
 pub mod lathe;
 pub mod mesh;
+mod oblique;
 pub mod shape;
 mod sweep;
 
 pub use columns::{
     CellHeights, CheckedStock, ColumnOptions, ColumnStock, ContactDepth, LoweredColumn, Mode,
-    StockCheck, StockError, StockTask, TouchAnswer, VolumeInterval,
+    StockCheck, StockError, StockTask, TouchAnswer, TurningTask, VolumeInterval,
 };
 pub use cutter::{CutterError, CutterProfile, Ring, RingElement, Undercut};
 pub use floor::{CutterSweep, LowestPoint, RemovedSpan};
 pub use mesh::Mesh;
+pub use oblique::{AxialSolid, AxisTurn, ToolTurn};
 pub use shape::SolidShape;
 pub use sweep::{RevolvedBody, TipMove};

@@ -54,8 +54,8 @@ Use a smaller `--resolution`."#;
 
     StockNotFollowed = 630, "stock-not-followed", Warning;
     "a move cannot be cut from the stock";
-    r#"The place of the tool relative to the part is not known here, the tool turns, or the path is not followed. The move
-removes nothing, and nothing after it is proved."#;
+    r#"The place of the tool relative to the part is not known here, the part turns and the tip is not held, or the path is not
+followed. The move removes nothing, and nothing after it is proved."#;
 
     ChipTooThick = 631, "chip-too-thick", Warning;
     "a tooth takes a thicker chip than it may";

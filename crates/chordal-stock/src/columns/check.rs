@@ -7,10 +7,12 @@ use chordal_geometry::Aabb;
 
 use super::heights::{CellCeiling, CellHollows};
 use super::plan::StockTask;
+use super::turning_move::TurningTask;
 use super::{
     ColumnOptions, ColumnStock, ContactDepth, JobResult, MOVES_PER_PLAN, StockError, TileJob,
     TouchAnswer,
 };
+use crate::oblique::ToolTurn;
 use crate::sweep::TipMove;
 
 /// A sequence of tasks on a fresh stock.
@@ -52,6 +54,9 @@ pub struct CheckedStock {
 /// A question: task, body and move.
 type ContactQuestion = (usize, u32, u32);
 
+/// Moves of a task, and how the direction of the tool turns on them.
+type TaskMoves<'a> = (&'a [TipMove], &'a [ToolTurn]);
+
 /// The open questions by tile, with the bounds known so far.
 type OpenQuestions = BTreeMap<usize, BTreeMap<ContactQuestion, ContactDepth>>;
 
@@ -60,6 +65,8 @@ struct RefinedRegion {
     bounds: Aabb,
     resolution: f64,
     moves: Vec<Vec<TipMove>>,
+    /// How the direction of the tool turns on them; empty for tasks without turns.
+    turns: Vec<Vec<ToolTurn>>,
     numbers: Vec<Vec<u32>>,
     questions: BTreeSet<ContactQuestion>,
 }
@@ -80,7 +87,7 @@ impl StockCheck<'_> {
     pub fn run_by(&self, runner: &JobRunner<'_>) -> Result<CheckedStock, StockError> {
         let mut stock = self.begin(self.bounds, self.options)?;
         let none = |task: &StockTask<'_>| {
-            vec![vec![ContactDepth::NONE; task.moves.len()]; task.bodies.len()]
+            vec![vec![ContactDepth::NONE; task.moves.len()]; task.body_count()]
         };
         let mut contacts: Vec<Vec<Vec<ContactDepth>>> = self.tasks.iter().map(none).collect();
         let mut open = OpenQuestions::new();
@@ -103,7 +110,11 @@ impl StockCheck<'_> {
             }
         }
         self.answered(&mut open, &mut contacts);
-        let moves: Vec<&[TipMove]> = self.tasks.iter().map(|task| task.moves).collect();
+        let moves: Vec<TaskMoves<'_>> = self
+            .tasks
+            .iter()
+            .map(|task| (task.moves, task.turning.map_or(&[][..], |turning| turning.turns)))
+            .collect();
         let parts = self.parts(&stock, &moves, None, open);
         let mut refined = 0;
         for part in parts {
@@ -170,7 +181,7 @@ impl StockCheck<'_> {
     fn parts(
         &self,
         stock: &ColumnStock,
-        moves: &[&[TipMove]],
+        moves: &[TaskMoves<'_>],
         numbers: Option<&[Vec<u32>]>,
         open: OpenQuestions,
     ) -> Vec<RefinedRegion> {
@@ -180,14 +191,18 @@ impl StockCheck<'_> {
             let (bounds, resolution) =
                 (stock.grid().box_of(tile), stock.options().resolution / 2.0);
             let (moves, numbers) = (vec![Vec::new(); tasks], vec![Vec::new(); tasks]);
+            let turns = vec![Vec::new(); tasks];
             let questions = questions.into_keys().collect();
-            parts.insert(tile, RefinedRegion { bounds, resolution, moves, numbers, questions });
+            parts.insert(
+                tile,
+                RefinedRegion { bounds, resolution, moves, turns, numbers, questions },
+            );
         }
         if parts.is_empty() {
             return Vec::new();
         }
         for (number, task) in self.tasks.iter().enumerate() {
-            for (first, task) in chunks(StockTask { moves: moves[number], ..*task }) {
+            for (first, task) in chunks(with_moves(task, moves[number])) {
                 let plan = stock.plan(&task);
                 for (tile, todo) in plan.tiles() {
                     let Some(part) = parts.get_mut(&tile) else { continue };
@@ -199,7 +214,9 @@ impl StockCheck<'_> {
                     for at in met {
                         let at = first + at;
                         let of_task = numbers.map_or(at, |numbers| numbers[number][at as usize]);
-                        part.moves[number].push(moves[number][at as usize]);
+                        let (moves, turns) = moves[number];
+                        part.moves[number].push(moves[at as usize]);
+                        part.turns[number].extend(turns.get(at as usize));
                         part.numbers[number].push(of_task);
                     }
                 }
@@ -233,7 +250,8 @@ impl StockCheck<'_> {
                     .any(|question| question.2 == of_task)
             };
             let compared: Vec<u32> = (0..of_task.len() as u32).filter(has_question).collect();
-            let task = StockTask { moves: &part.moves[number], numbers: Some(&compared), ..*task };
+            let own = with_moves(task, (&part.moves[number], &part.turns[number]));
+            let task = StockTask { numbers: Some(&compared), ..own };
             for (first, task) in chunks(task) {
                 for found in run(&mut stock, &task, runner) {
                     let questions = found.contacts.iter().filter_map(|&(body, at, contact)| {
@@ -245,7 +263,9 @@ impl StockCheck<'_> {
             }
         }
         self.answered(&mut open, contacts);
-        let moves: Vec<&[TipMove]> = part.moves.iter().map(Vec::as_slice).collect();
+        let all = part.moves.iter().zip(&part.turns);
+        let moves: Vec<TaskMoves<'_>> =
+            all.map(|(moves, turns)| (moves.as_slice(), turns.as_slice())).collect();
         let mut refined = 1;
         for finer in self.parts(&stock, &moves, Some(&part.numbers), open) {
             refined += self.again(finer, runner, contacts)?;
@@ -272,7 +292,16 @@ fn run(stock: &mut ColumnStock, task: &StockTask<'_>, runner: &JobRunner<'_>) ->
 pub(crate) fn chunks(task: StockTask<'_>) -> impl Iterator<Item = (u32, StockTask<'_>)> {
     let some = task.moves.chunks(MOVES_PER_PLAN).enumerate();
     some.map(move |(n, moves)| {
-        let first = (n * MOVES_PER_PLAN) as u32;
-        (first, StockTask { moves, first, ..task })
+        let at = n * MOVES_PER_PLAN;
+        let first = at as u32;
+        let turns = task.turning.map_or(&[][..], |turning| turning.turns);
+        let turns = turns.get(at..at + moves.len()).unwrap_or_default();
+        (first, StockTask { first, ..with_moves(&task, (moves, turns)) })
     })
+}
+
+/// The same task with other moves.
+fn with_moves<'a>(task: &StockTask<'a>, (moves, turns): TaskMoves<'a>) -> StockTask<'a> {
+    let turning = task.turning.map(|turning| TurningTask { turns, ..turning });
+    StockTask { moves, turning, ..*task }
 }

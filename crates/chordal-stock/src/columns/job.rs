@@ -8,6 +8,7 @@ use super::heights::{HeightRange, bottom};
 use super::plan::{PlanStep, StepAction};
 use super::recorder::{LoweredColumn, TileRecorder};
 use super::tile::StockTile;
+use super::turning_move::TurningOnTile;
 use super::undercut_move::OnTile;
 use super::{ColumnOptions, ContactDepth, JobResult, Mode, StockPlan};
 use crate::sweep::lanes::{CourseFrame, TileCourse};
@@ -109,6 +110,10 @@ struct DeepestReach {
 
 impl TileRun<'_> {
     fn step(&mut self, plan: &StockPlan, step: &PlanStep) {
+        if step.action == StepAction::Turning {
+            self.turning(plan, step);
+            return;
+        }
         if step.action.is_below() {
             self.below(plan, step);
             return;
@@ -139,7 +144,8 @@ impl TileRun<'_> {
             StepAction::Cut
             | StepAction::CutMost
             | StepAction::CutBelow
-            | StepAction::CompareBelow(_) => None,
+            | StepAction::CompareBelow(_)
+            | StepAction::Turning => None,
         };
         self.shapes(piece, part, step, &course);
         let (StepAction::Compare(body) | StepAction::CompareMost(body), Some(mut deepest)) =
@@ -160,6 +166,29 @@ impl TileRun<'_> {
                 at: [x, y, self.place.top + f64::from(deepest.top)],
             };
             self.found.contacts.push((body, piece.number, contact));
+        }
+    }
+
+    /// Carries out a whole move of a tool that turns.
+    fn turning(&mut self, plan: &StockPlan, step: &PlanStep) {
+        let turning = &plan.turning[step.piece as usize];
+        let mut on_tile = TurningOnTile {
+            grid: self.grid,
+            number: self.number,
+            tile: self.tile,
+            turning,
+            solids: &plan.solids,
+            by_tag: self.by_tag,
+            keeps_middles: self.keeps_middles,
+            limit: self.limit,
+            count: 0,
+        };
+        let contacts = on_tile.run();
+        self.found.counts.columns += on_tile.count;
+        for (body, contact) in contacts.into_iter().enumerate() {
+            if contact.most > 0.0 {
+                self.found.contacts.push((body as u32, turning.number, contact));
+            }
         }
     }
 

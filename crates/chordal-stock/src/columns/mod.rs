@@ -19,6 +19,7 @@ mod plan;
 mod recorder;
 mod tile;
 mod touch;
+mod turning_move;
 mod undercut_move;
 mod volume;
 mod window;
@@ -33,6 +34,7 @@ pub use job_result::{ColumnCounts, JobResult};
 pub use plan::{StockPlan, StockTask};
 pub use recorder::LoweredColumn;
 pub use touch::{ContactDepth, TouchAnswer};
+pub use turning_move::TurningTask;
 pub use volume::{CellHeights, OTHERS, VolumeInterval};
 pub(crate) use window::{HeightWindow, StockLimits};
 
@@ -298,6 +300,26 @@ impl ColumnStock {
         for (_, task) in
             check::chunks(StockTask { undercuts, bodies, moves, ..StockTask::default() })
         {
+            let (found, _) = self.run(&self.plan(&task));
+            for (all, some) in contacts.iter_mut().zip(found) {
+                all.extend(some);
+            }
+        }
+        contacts
+    }
+
+    /// Removes what a tool sweeps while its direction turns, and returns for each body and each move how deep the body
+    /// touches what is left when it comes. `tolerance`: a depth that does not count, mm.
+    pub fn cut_turning(
+        &mut self,
+        turning: TurningTask<'_>,
+        moves: &[TipMove],
+        tolerance: f64,
+    ) -> Vec<Vec<ContactDepth>> {
+        let mut contacts = vec![Vec::new(); turning.bodies.len()];
+        let task =
+            StockTask { turning: Some(turning), moves, drop: tolerance, ..StockTask::default() };
+        for (_, task) in check::chunks(task) {
             let (found, _) = self.run(&self.plan(&task));
             for (all, some) in contacts.iter_mut().zip(found) {
                 all.extend(some);

@@ -3,6 +3,7 @@
 use chordal_geometry::{ParamCurve, Transform, Vec3};
 
 use super::grid::TILE;
+use super::turning_move::{TurningMove, TurningSolids, TurningTask};
 use super::undercut_move::UndercutMove;
 use super::{ColumnOptions, ContactDepth, JobResult, StockGrid};
 use crate::sweep::strip::{SweepStrip, across, strip};
@@ -34,6 +35,8 @@ pub(crate) enum StepAction {
     CutBelow,
     /// Compares a whole move of an undercut with the columns.
     CompareBelow(u32),
+    /// Compares and removes on a whole move of a tool that turns; `piece` is then an index of `turning`.
+    Turning,
 }
 
 impl StepAction {
@@ -53,6 +56,8 @@ impl StepAction {
 pub struct StockTask<'a> {
     /// The cutter that removes what it sweeps; `None` for moves that only compare.
     pub cutter: Option<&'a CutterProfile>,
+    /// Set for moves of a tool whose direction turns, in place of cutters, undercuts and bodies.
+    pub turning: Option<TurningTask<'a>>,
     /// A larger cutter for the upper bound: what it sweeps may be removed.
     pub may: Option<&'a CutterProfile>,
     /// Undercuts that remove what they sweep, each with the height of its lower end above the tip, mm. They are not
@@ -80,6 +85,8 @@ pub struct StockPlan {
     pub(crate) steps: Vec<PlanStep>,
     pub(crate) undercuts: Vec<Undercut>,
     pub(crate) below: Vec<UndercutMove>,
+    pub(crate) turning: Vec<TurningMove>,
+    pub(crate) solids: TurningSolids,
     /// Tile and number of a step, sorted by tile, then in the order of the program.
     todo: Vec<(u32, u32)>,
     bodies: usize,
@@ -94,7 +101,12 @@ impl StockTask<'_> {
     /// Whether bodies are compared on a move.
     fn asks(&self, number: u32) -> bool {
         let requested = |numbers: &[u32]| numbers.binary_search(&(self.first + number)).is_ok();
-        !self.bodies.is_empty() && self.numbers.is_none_or(requested)
+        self.body_count() > 0 && self.numbers.is_none_or(requested)
+    }
+
+    /// The number of bodies that are compared.
+    pub(crate) fn body_count(&self) -> usize {
+        self.turning.map_or(self.bodies.len(), |turning| turning.bodies.len())
     }
 
     /// The range of heights of the tip in which it may remove something: above it the tool is over the stock, and
@@ -115,6 +127,9 @@ impl StockPlan {
         options: &ColumnOptions,
         task: &StockTask<'_>,
     ) -> StockPlan {
+        if let Some(turning) = &task.turning {
+            return StockPlan::of_turning(grid, task, turning);
+        }
         let mut splitter = MoveSplitter::new(options.chord_share * grid.resolution());
         let heights = task.heights(grid);
         for (number, path) in task.moves.iter().enumerate() {
@@ -151,11 +166,42 @@ impl StockPlan {
             steps: Vec::new(),
             undercuts: undercuts.map(|(_, undercut)| undercut.clone()).collect(),
             below: Vec::new(),
+            turning: Vec::new(),
+            solids: TurningSolids::default(),
             todo: Vec::new(),
             bodies: task.bodies.len(),
             moves: task.moves.len(),
         };
         plan.assign_steps(grid, task, &of);
+        plan
+    }
+
+    /// The plan of moves of a tool that turns.
+    fn of_turning(grid: &StockGrid, task: &StockTask<'_>, turning: &TurningTask<'_>) -> StockPlan {
+        let mut plan = StockPlan {
+            pieces: Vec::new(),
+            parts: Vec::new(),
+            steps: Vec::new(),
+            undercuts: Vec::new(),
+            below: Vec::new(),
+            turning: Vec::new(),
+            solids: TurningSolids::of(turning, task.drop),
+            todo: Vec::new(),
+            bodies: turning.bodies.len(),
+            moves: task.moves.len(),
+        };
+        for (number, (path, turn)) in task.moves.iter().zip(turning.turns).enumerate() {
+            let number = number as u32;
+            let (curve, tag, asks) = (path.curve, path.tag, task.asks(number));
+            let own = TurningMove { curve, turn: *turn, number, tag, asks };
+            let step = plan.steps.len() as u32;
+            let tiles = plan.solids.tiles(grid, &own);
+            plan.todo.extend(tiles.into_iter().map(|tile| (tile, step)));
+            let (strip, action) = (SweepStrip::default(), StepAction::Turning);
+            plan.steps.push(PlanStep { piece: step, part: 0, strip, action });
+            plan.turning.push(own);
+        }
+        plan.todo.sort_by_key(|&(tile, _)| tile);
         plan
     }
 
@@ -277,7 +323,9 @@ impl StockPlan {
     /// The number of a step's move.
     pub(crate) fn number(&self, step: u32) -> u32 {
         let PlanStep { piece, action, .. } = self.steps[step as usize];
-        if action.is_below() {
+        if action == StepAction::Turning {
+            self.turning[piece as usize].number
+        } else if action.is_below() {
             self.below[piece as usize].number
         } else {
             self.pieces[piece as usize].number

@@ -15,6 +15,7 @@ mod profile;
 mod revolved;
 mod round;
 mod tree;
+mod turning_passage;
 
 use chordal_geometry::{Aabb, Vec3};
 

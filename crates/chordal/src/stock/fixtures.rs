@@ -13,6 +13,8 @@ use super::tools::ToolBody;
 const ROUND: f64 = 1e-3;
 /// Most steps along one move.
 const STEPS: usize = 100_000;
+/// Most parts of one move on which the tool turns.
+const TURNING_STEPS: usize = 2_000;
 
 /// Checks every move of every tool against a fixture.
 pub(super) fn look_at_fixtures(
@@ -27,14 +29,27 @@ pub(super) fn look_at_fixtures(
         let Some(tool) = run.tool(batch.tool) else { continue };
         let Some(body) = whole(tool) else { continue };
         let reach = tool.radius() + clearance + run.options.tolerance_mm;
-        for (path, origin) in batch.moves.iter().zip(&batch.origins) {
-            if is_far(path, &bounds, reach, tool.top()) {
+        for (number, (path, origin)) in batch.moves.iter().zip(&batch.origins).enumerate() {
+            let turn = batch.tool_turns.get(number);
+            if turn.is_none() && is_far(path, &bounds, reach, tool.top()) {
                 continue;
             }
             let length = path.curve.length();
             let tip = |share: f64| path.curve.point_at(share * length);
-            let path = TipMotion { tip: &tip, speed: length };
-            let passage = shape.passage(&body, &path, clearance, run.options.tolerance_mm, STEPS);
+            let tolerance = run.options.tolerance_mm;
+            let passage = match turn {
+                Some(turn) => shape.turning_passage(
+                    &body,
+                    &path.curve,
+                    turn,
+                    [clearance, tolerance],
+                    TURNING_STEPS,
+                ),
+                None => {
+                    let path = TipMotion { tip: &tip, speed: length };
+                    shape.passage(&body, &path, clearance, tolerance, STEPS)
+                }
+            };
             let (code, share, distance) = match passage {
                 PassageAnswer::Clean { .. } => continue,
                 PassageAnswer::Hit { fraction, distance } => (Code::FixtureHit, fraction, distance),

@@ -1,13 +1,15 @@
 //! Collects the moves of a run in batches of one tool and kind, and what must not touch on them.
 
-use std::collections::BTreeMap;
+mod turning;
+
+use std::collections::{BTreeMap, BTreeSet};
 
 use chordal_command::{AxisMask, CommandKind, FeedMode, Origin, SpindleState, Units, WorkNaming};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
-use chordal_machine::RotaryAxis;
+use chordal_machine::{RotaryAxis, RotaryTarget, TcpFrame};
 use chordal_path::{PathCommand, Segment, SegmentKind, depth_mm};
-use chordal_stock::TipMove;
+use chordal_stock::{TipMove, ToolTurn};
 
 use super::passed_heights::{VisitedPlaces, is_upright};
 use super::problems::{assumed_point_angle, not_cut};
@@ -15,6 +17,7 @@ use super::tools::{NoBody, ToolBody};
 use super::turns::{self, PartOrientation};
 use crate::job::Job;
 use crate::report::RunWatch;
+use turning::TurnedEnd;
 
 /// Most orientations of the part in a run: each has columns of its own.
 const MAX_TURNS: usize = 64;
@@ -57,6 +60,8 @@ pub(super) struct MoveBatch {
     /// The orientation of the part, as index in [`StockMoves::turns`].
     pub turn: usize,
     pub moves: Vec<TipMove>,
+    /// How the direction of the tool turns on each move; empty where it is upright on all of them.
+    pub tool_turns: Vec<ToolTurn>,
     /// For moves that must touch nothing, the part of each that no cut of the tool has passed before; `None` where
     /// nothing of it remains. Empty for cuts.
     pub checked: Vec<Option<TipMove>>,
@@ -102,6 +107,16 @@ pub(super) struct StockMoves<'a> {
     /// True where moves were left out because the part is turned, or turns, on them.
     pub leaves_out_turned: bool,
     visited: VisitedPlaces,
+    /// The frame of the part is one in which the control holds the tip while rotary axes turn.
+    follows_tip: bool,
+    /// The frame of the tip is the part as it lies where its control begins.
+    is_frame_at_activation: bool,
+    /// The frame of the part lies on it as with the tables at other angles than zero.
+    is_frame_turned: bool,
+    /// Where the last cut has ended that was not upright.
+    turned_end: Option<TurnedEnd>,
+    /// The tools that have cut while their direction changed.
+    turning_tools: BTreeSet<u32>,
     row: u32,
     /// The work offset of the first cut, which is the frame of the run.
     pub work: Option<String>,
@@ -148,6 +163,11 @@ impl<'a> StockMoves<'a> {
             swings: Vec::new(),
             leaves_out_turned: false,
             visited: VisitedPlaces::default(),
+            follows_tip: false,
+            is_frame_at_activation: job.machine().tcp_frame == TcpFrame::Activation,
+            is_frame_turned: false,
+            turned_end: None,
+            turning_tools: BTreeSet::new(),
             row: 0,
             work: None,
             work_now: None,
@@ -237,11 +257,22 @@ impl<'a> StockMoves<'a> {
     }
 
     /// Takes a move in a frame of the part. While the rotary axes stand, it is turned with the part to where the tool is
-    /// upright.
+    /// upright; with a head it is cut as it leans.
     fn segment_on_part(&mut self, segment: &Segment, kind: BatchKind) {
-        if !turns::are_same(segment.rotary_from, segment.rotary_to) {
-            let why = "the direction of the tool changes on it";
+        if self.is_frame_turned {
+            let why = "its coordinates are those of the part at other angles than zero";
             return self.report_once(Code::StockNotFollowed, segment, why);
+        }
+        let stands = turns::are_same(segment.rotary_from, segment.rotary_to);
+        let is_side = || self.turns.iter().any(|turn| turn.is_at(segment.rotary_from));
+        let is_on_head = self
+            .rotary
+            .iter()
+            .zip(segment.rotary_from)
+            .any(|(axis, angle)| axis.turns == Some(RotaryTarget::Head) && angle != 0.0);
+        let goes_on = || self.turning_tools.contains(&segment.tool) && !is_side();
+        if !stands || is_on_head || goes_on() {
+            return self.segment_turning(segment, kind);
         }
         match self.turn(segment.rotary_from) {
             Ok(index) => {
@@ -344,6 +375,30 @@ impl<'a> StockMoves<'a> {
             Ok(turn) => turn,
             Err(why) => return self.report_once(Code::StockNotFollowed, segment, &why),
         };
+        if let Some(end) = self.turned_end.take() {
+            let place = self.turns[turn].to_program.apply_point(end.tip);
+            let start = segment.curve.start();
+            let own = TurnedEnd { tip: place, ..end };
+            if own.is_start_of(segment.tool, segment.rotary_from, start) {
+                // The cut has ended here, with the tool in this direction.
+                let point = Curve::Line(Line { start, end: start });
+                self.visited.cut(segment.tool, turn, &point);
+            }
+        }
+        self.put(segment, kind, turn, None, false);
+        self.turned_end = None;
+    }
+
+    /// Adds a move to the batches of a side. `tool_turn` is set where the tool is not upright on that; `is_free` where
+    /// it is known to touch nothing.
+    fn put(
+        &mut self,
+        segment: &Segment,
+        kind: BatchKind,
+        turn: usize,
+        tool_turn: Option<ToolTurn>,
+        is_free: bool,
+    ) {
         if !kind.is_rapid() {
             let count = self.counts.entry(segment.tool).or_insert((0, f64::INFINITY));
             count.0 += 1;
@@ -357,15 +412,18 @@ impl<'a> StockMoves<'a> {
                 }
             }
         }
-        let follows =
-            |batch: &MoveBatch| (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn);
+        let follows = |batch: &MoveBatch| {
+            (batch.tool, batch.kind, batch.turn) == (segment.tool, kind, turn)
+                && batch.tool_turns.is_empty() == tool_turn.is_none()
+        };
         if !self.batches.last().is_some_and(follows) {
-            let (moves, checked, origins, rates, rows) = Default::default();
+            let (moves, tool_turns, checked, origins, rates, rows) = Default::default();
             self.batches.push(MoveBatch {
                 tool: segment.tool,
                 kind,
                 turn,
                 moves,
+                tool_turns,
                 checked,
                 origins,
                 rates,
@@ -379,9 +437,14 @@ impl<'a> StockMoves<'a> {
             by_time: self.by_time && !origin.cycle,
         };
         let path = TipMove { curve: segment.curve, tag: segment.tool };
-        let checked = self.checked_part(&path, kind, turn);
+        let checked = match (kind, tool_turn) {
+            (BatchKind::Cut, Some(_)) => None,
+            (_, Some(_)) => Some(Some(path).filter(|_| !is_free)),
+            (_, None) => self.checked_part(&path, kind, turn),
+        };
         if let Some(batch) = self.batches.last_mut() {
             batch.moves.push(path);
+            batch.tool_turns.extend(tool_turn);
             batch.checked.extend(checked);
             batch.origins.push(segment.origin);
             batch.rates.push(rate);
@@ -448,6 +511,11 @@ impl RunWatch for StockMoves<'_> {
             CommandKind::Tool { .. } => self.has_moved_in_z = false,
             CommandKind::Units(units) => self.units = *units,
             CommandKind::Surface { surface, .. } => self.on_surface = surface.is_some(),
+            CommandKind::PartFrame { frame, .. } => {
+                self.follows_tip = frame.as_ref().is_some_and(|frame| frame.follows_tip);
+                self.is_frame_turned = self.is_frame_at_activation
+                    && frame.as_ref().is_some_and(|frame| frame.frame_angles != [0.0; 3]);
+            }
             CommandKind::WorkOffset { name, .. } => {
                 self.work_now = Some(name.table_key(self.naming));
             }

@@ -100,33 +100,19 @@ impl CutterDimensions {
         }
     }
 
-    /// The inset of the cutter by `depth`, mm; `None` where nothing is left of it.
-    pub fn inside(&self, depth: f64) -> Option<InnerCutter> {
+    /// The inset of the cutter by `depth` as a cutter itself, and by how much its tip is higher, mm; `None` where nothing
+    /// is left of it, or it is no cutter of one profile.
+    pub fn inset_profile(&self, depth: f64) -> Option<(CutterProfile, f64)> {
         let less = |diameter: f64| diameter - 2.0 * depth;
-        let of_cutter = |cutter: Result<CutterProfile, CutterError>, lift: f64| {
-            let holds = RevolvedBody::of_cutter(&cutter.ok()?);
-            Some(InnerCutter { holds, sure: InnerCertainty::Same, lift })
-        };
-        // The neck above it is a part of the shank.
-        let of_undercut = |undercut: Result<Undercut, CutterError>| {
-            let holds = RevolvedBody::of_undercuts(&[(0.0, undercut.ok()?)]);
-            Some(InnerCutter { holds, sure: InnerCertainty::Same, lift: depth })
-        };
         match *self {
             CutterDimensions::Bull { diameter, corner } if corner > depth => {
-                of_cutter(CutterProfile::bull(less(diameter), corner - depth), depth)
+                Some((CutterProfile::bull(less(diameter), corner - depth).ok()?, depth))
             }
             CutterDimensions::Flat { diameter } | CutterDimensions::Bull { diameter, .. } => {
-                of_cutter(CutterProfile::flat(less(diameter)), depth)
+                Some((CutterProfile::flat(less(diameter)).ok()?, depth))
             }
             CutterDimensions::Ball { diameter } => {
-                of_cutter(CutterProfile::ball(less(diameter)), depth)
-            }
-            CutterDimensions::Disc { diameter, thickness } => {
-                of_undercut(disc(less(diameter), thickness - 2.0 * depth))
-            }
-            CutterDimensions::Lollipop { diameter } => {
-                of_undercut(Undercut::lollipop(less(diameter), 0.5 * less(diameter)))
+                Some((CutterProfile::ball(less(diameter)).ok()?, depth))
             }
             CutterDimensions::Pointed { diameter, tip, angle } => {
                 // The side of the cone moves inward by depth/cos, measured across the axis.
@@ -136,7 +122,38 @@ impl CutterDimensions {
                 let lift =
                     if at_lift(depth) < 0.0 { (depth / cosine - tip / 2.0) / rise } else { depth };
                 let tip = 2.0 * at_lift(lift).max(0.0);
-                of_cutter(CutterProfile::pointed(less(diameter), tip, angle), lift)
+                Some((CutterProfile::pointed(less(diameter), tip, angle).ok()?, lift))
+            }
+            CutterDimensions::Disc { .. }
+            | CutterDimensions::Lollipop { .. }
+            | CutterDimensions::Outline(_)
+            | CutterDimensions::Threads { .. }
+            | CutterDimensions::Tap { .. } => None,
+        }
+    }
+
+    /// The inset of the cutter by `depth`, mm; `None` where nothing is left of it.
+    pub fn inside(&self, depth: f64) -> Option<InnerCutter> {
+        let less = |diameter: f64| diameter - 2.0 * depth;
+        // The neck above it is a part of the shank.
+        let of_undercut = |undercut: Result<Undercut, CutterError>| {
+            let holds = RevolvedBody::of_undercuts(&[(0.0, undercut.ok()?)]);
+            Some(InnerCutter { holds, sure: InnerCertainty::Same, lift: depth })
+        };
+        match *self {
+            CutterDimensions::Bull { .. }
+            | CutterDimensions::Flat { .. }
+            | CutterDimensions::Ball { .. }
+            | CutterDimensions::Pointed { .. } => {
+                let (cutter, lift) = self.inset_profile(depth)?;
+                let holds = RevolvedBody::of_cutter(&cutter);
+                Some(InnerCutter { holds, sure: InnerCertainty::Same, lift })
+            }
+            CutterDimensions::Disc { diameter, thickness } => {
+                of_undercut(disc(less(diameter), thickness - 2.0 * depth))
+            }
+            CutterDimensions::Lollipop { diameter } => {
+                of_undercut(Undercut::lollipop(less(diameter), 0.5 * less(diameter)))
             }
             CutterDimensions::Outline(ref points) => {
                 let [holds, within] = CutterProfile::outline_inside(points, depth).ok()??;

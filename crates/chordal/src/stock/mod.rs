@@ -27,6 +27,7 @@ mod solid_intervals;
 mod target;
 mod teeth;
 mod tools;
+mod turning_bodies;
 mod turns;
 
 pub use chordal_stock::columns::{JobResult, JobRunner, TileJob};

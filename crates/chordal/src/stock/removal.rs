@@ -46,19 +46,22 @@ impl SideRemoval {
         let mut is_cut = vec![false; columns as usize * rows as usize];
         let mut gaps = BTreeMap::new();
         let pairs = stock.height_pairs();
+        // Columns are kept in single precision, relative to the top.
+        let rounding = EQUAL_HEIGHT_MM + grid.bounds().size().z * f64::from(f32::EPSILON);
         for row in 0..rows {
             for column in 0..columns {
                 let index = row as usize * columns as usize + column as usize;
                 let corners @ [low, high] = grid.corners(column, row);
-                let own = cut_gaps(stock, [column, row], &begun.shape.hollows(corners)[0]);
+                let own =
+                    cut_gaps(stock, [column, row], &begun.shape.hollows(corners)[0], rounding);
                 if !own.is_empty() {
                     gaps.insert(index, own);
                 }
-                is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - EQUAL_HEIGHT_MM;
+                is_cut[index] = pairs[index].inner < begun.of(low, high)[1] - rounding;
                 let left =
                     intervals_of(stock, [column, row], ColumnKnowledge::Surely, pairs[index].inner);
                 let [_, filled] = begun.shape.filled(corners);
-                let lowest = lowest_removed(&filled, &left);
+                let lowest = lowest_removed(&filled, &left, rounding);
                 if lowest.is_finite() {
                     let block = (row / BLOCK) as usize * blocks[0] + (column / BLOCK) as usize;
                     floors[block] = floors[block].min(lowest);
@@ -107,28 +110,30 @@ fn cut_gaps(
     stock: &ColumnStock,
     [column, row]: [u32; 2],
     hollows: &[RemovedSpan],
+    rounding: f64,
 ) -> Vec<RemovedSpan> {
     let [mut surely, _] = stock.gaps_at(column, row);
     surely.retain(|gap| {
         let holds = |hollow: &RemovedSpan| {
-            hollow.floor <= gap.floor + EQUAL_HEIGHT_MM && gap.top <= hollow.top + EQUAL_HEIGHT_MM
+            hollow.floor <= gap.floor + rounding && gap.top <= hollow.top + rounding
         };
         !hollows.iter().any(holds)
     });
     surely
 }
 
-/// The lowest height that was filled and is not left; infinite where there is none, mm.
-fn lowest_removed(filled: &[[f64; 2]], left: &[[f64; 2]]) -> f64 {
+/// The lowest height that was filled and is not left; infinite where there is none, mm. Less than
+/// `rounding` does not count, mm.
+fn lowest_removed(filled: &[[f64; 2]], left: &[[f64; 2]], rounding: f64) -> f64 {
     for &[from, to] in filled {
         // Nothing of the interval is removed below this height.
         let mut at = from;
         for &[floor, top] in left {
-            if floor <= at + EQUAL_HEIGHT_MM {
+            if floor <= at + rounding {
                 at = at.max(top);
             }
         }
-        if at < to - EQUAL_HEIGHT_MM {
+        if at < to - rounding {
             return at;
         }
     }
@@ -137,14 +142,17 @@ fn lowest_removed(filled: &[[f64; 2]], left: &[[f64; 2]]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::lowest_removed;
+    use super::{EQUAL_HEIGHT_MM as ROUNDING_MM, lowest_removed};
 
     #[test]
     fn what_is_removed_begins_where_nothing_is_left() {
-        assert_eq!(lowest_removed(&[[0.0, 10.0]], &[[0.0, 6.0]]), 6.0);
-        assert_eq!(lowest_removed(&[[3.0, 10.0]], &[[3.0, 10.0]]), f64::INFINITY);
-        assert_eq!(lowest_removed(&[[0.0, 2.0], [5.0, 10.0]], &[[0.0, 2.0], [6.0, 10.0]]), 5.0);
-        assert_eq!(lowest_removed(&[[0.0, 10.0]], &[[0.0, 4.0], [5.0, 10.0]]), 4.0);
-        assert_eq!(lowest_removed(&[], &[]), f64::INFINITY);
+        assert_eq!(lowest_removed(&[[0.0, 10.0]], &[[0.0, 6.0]], ROUNDING_MM), 6.0);
+        assert_eq!(lowest_removed(&[[3.0, 10.0]], &[[3.0, 10.0]], ROUNDING_MM), f64::INFINITY);
+        assert_eq!(
+            lowest_removed(&[[0.0, 2.0], [5.0, 10.0]], &[[0.0, 2.0], [6.0, 10.0]], ROUNDING_MM),
+            5.0
+        );
+        assert_eq!(lowest_removed(&[[0.0, 10.0]], &[[0.0, 4.0], [5.0, 10.0]], ROUNDING_MM), 4.0);
+        assert_eq!(lowest_removed(&[], &[], ROUNDING_MM), f64::INFINITY);
     }
 }

@@ -9,8 +9,8 @@ use chordal_diagnostics::Code;
 use chordal_stock::columns::{CellCeiling, JobRunner, TileJob};
 use chordal_stock::shape::SolidShape;
 use chordal_stock::{
-    CheckedStock, ContactDepth, CutterProfile, RevolvedBody, StockCheck, StockError, StockTask,
-    TipMove, Undercut, VolumeInterval,
+    AxialSolid, CheckedStock, ContactDepth, CutterProfile, RevolvedBody, StockCheck, StockError,
+    StockTask, TipMove, ToolTurn, TurningTask, Undercut, VolumeInterval,
 };
 
 use super::earlier_side::{EarlierSide, InitialStock, below};
@@ -101,6 +101,7 @@ impl Job<'_> {
         let premise = self.stock_premise()?;
         let bodies = SetupBodies::of(self, &premise.body, &gathered, files)?;
         let resolution = options.resolution_mm.unwrap_or_else(|| usual_resolution(&bodies.stock));
+        gathered.limit_turning(resolution);
         bodies.look_at_swings(self, &mut gathered);
         // Each orientation of the part has columns of its own.
         let budget = options.budget / gathered.turns.len() as u64;
@@ -247,11 +248,33 @@ pub(super) struct TaskQuestion<'a> {
     /// The problem that each body makes when it touches.
     codes: Vec<Code>,
     bodies: Vec<RevolvedBody>,
+    /// Set where the tool is not upright, in place of the cutters and bodies.
+    pub turning: Option<TurningQuestion<'a>>,
     pub moves: Cow<'a, [TipMove]>,
     origins: Cow<'a, [Origin]>,
     pub tool: u32,
     /// Index of the batch in its pass.
     pub batch: usize,
+}
+
+/// The bodies of a tool that is not upright, and how it turns.
+#[derive(Clone)]
+pub(super) struct TurningQuestion<'a> {
+    turns: Cow<'a, [ToolTurn]>,
+    removes: Option<AxialSolid>,
+    may: Option<AxialSolid>,
+    bodies: Vec<AxialSolid>,
+}
+
+impl TurningQuestion<'_> {
+    fn task(&self) -> TurningTask<'_> {
+        TurningTask {
+            turns: &self.turns,
+            removes: self.removes.as_ref(),
+            may: self.may.as_ref(),
+            bodies: &self.bodies,
+        }
+    }
 }
 
 impl TaskQuestion<'_> {
@@ -260,6 +283,12 @@ impl TaskQuestion<'_> {
         TaskQuestion {
             codes: Vec::new(),
             bodies: Vec::new(),
+            turning: self.turning.as_ref().map(|turning| TurningQuestion {
+                turns: Cow::Borrowed(&turning.turns),
+                removes: turning.removes.clone(),
+                may: turning.may.clone(),
+                bodies: Vec::new(),
+            }),
             moves: Cow::Borrowed(&self.moves),
             origins: Cow::Borrowed(&self.origins),
             ..*self
@@ -289,6 +318,7 @@ impl<'a> PassContext<'a> {
                 may: question.may,
                 undercuts: question.undercuts,
                 bodies: &question.bodies,
+                turning: question.turning.as_ref().map(TurningQuestion::task),
                 moves: &question.moves,
                 drop: self.options.tolerance_mm,
                 ..StockTask::default()
@@ -343,6 +373,9 @@ impl<'a> PassContext<'a> {
     /// The tasks of a batch, in order.
     fn batch_questions(&self, number: usize, batch: &'a MoveBatch) -> Vec<TaskQuestion<'a>> {
         let Some(tool) = self.tool(batch.tool) else { return Vec::new() };
+        if !batch.tool_turns.is_empty() {
+            return turning_questions(number, batch, tool);
+        }
         let own = |code| match &tool.undercuts[..] {
             [] => (code, RevolvedBody::of_cutter(&tool.cutter)),
             undercuts => (code, RevolvedBody::of_undercuts(undercuts)),
@@ -356,6 +389,7 @@ impl<'a> PassContext<'a> {
                 undercuts: &tool.undercuts,
                 codes,
                 bodies,
+                turning: None,
                 moves: Cow::Borrowed(&batch.moves),
                 origins: Cow::Borrowed(&batch.origins),
                 tool: batch.tool,
@@ -373,6 +407,56 @@ impl<'a> PassContext<'a> {
                 vec![watched(number, batch, std::iter::once(own)), cuts(above)]
             }
         }
+    }
+}
+
+/// The tasks of a batch on which the tool is not upright.
+fn turning_questions<'a>(
+    number: usize,
+    batch: &'a MoveBatch,
+    tool: &ToolBody,
+) -> Vec<TaskQuestion<'a>> {
+    let question = |codes, moves, origins, turning| TaskQuestion {
+        cutter: None,
+        may: None,
+        undercuts: &[],
+        codes,
+        bodies: Vec::new(),
+        turning: Some(turning),
+        moves,
+        origins,
+        tool: batch.tool,
+        batch: number,
+    };
+    let watched = |bodies: Vec<(Code, AxialSolid)>| {
+        let checked = batch.checked.iter().zip(&batch.origins).zip(&batch.tool_turns);
+        let checked: Vec<(TipMove, Origin, ToolTurn)> =
+            checked.filter_map(|((path, origin), turn)| Some(((*path)?, *origin, *turn))).collect();
+        let (codes, bodies) = bodies.into_iter().unzip();
+        let turns = checked.iter().map(|(_, _, turn)| *turn).collect();
+        let turning = TurningQuestion { turns, removes: None, may: None, bodies };
+        let moves = checked.iter().map(|(path, _, _)| *path).collect();
+        let origins = checked.iter().map(|(_, origin, _)| *origin).collect();
+        question(codes, moves, origins, turning)
+    };
+    let cuts = |bodies: Vec<(Code, AxialSolid)>| {
+        let (codes, bodies) = bodies.into_iter().unzip();
+        let [removes, may] = tool.solids();
+        let turns = Cow::Borrowed(&batch.tool_turns[..]);
+        let turning = TurningQuestion { turns, removes, may, bodies };
+        let (moves, origins) = (Cow::Borrowed(&batch.moves[..]), Cow::Borrowed(&batch.origins[..]));
+        question(codes, moves, origins, turning)
+    };
+    let above = tool.solids_above();
+    let own = |code| vec![(code, tool.edges_solid())];
+    match batch.kind {
+        BatchKind::Cut => vec![cuts(above)],
+        BatchKind::Rapid | BatchKind::Aside => {
+            let mut all = own(Code::RapidThroughStock);
+            all.extend(above);
+            vec![watched(all)]
+        }
+        BatchKind::Still => vec![watched(own(Code::CutsWithoutSpindle)), cuts(above)],
     }
 }
 
@@ -394,6 +478,7 @@ fn watched<'r>(
         undercuts: &[],
         codes,
         bodies,
+        turning: None,
         moves,
         origins,
         tool,

@@ -220,12 +220,18 @@ impl SetupBodies<'_> {
         for (_, at, index) in order {
             let side = &sides[at].1;
             let question = &side.questions[index];
-            let reach = runs[at].tool(question.tool).map_or(0.0, |tool| tool.radius());
+            let tool = runs[at].tool(question.tool);
+            let reach = tool.map_or(0.0, |tool| tool.radius());
+            // A tool that is not upright may lie anywhere about its tip.
+            let length = tool.filter(|_| question.turning.is_some()).map_or(0.0, |tool| tool.top());
+            let around = Vec3::new(length, length, length);
             let sure = |of_move: usize, contact: ContactDepth| {
                 if contact.least <= 0.0 {
                     return contact;
                 }
-                let body = above(&question.moves[of_move].curve.bounds(), reach, side);
+                let Aabb { min, max } = question.moves[of_move].curve.bounds();
+                let path = Aabb { min: min - around, max: max + around };
+                let body = above(&path, reach, side);
                 let others = sides.iter().enumerate().filter(|(other, _)| *other != at);
                 let mut others = others.map(|(_, (_, other))| other);
                 let is_untouched = others.all(|other| other.is_untouched(&body, &side.turn));

@@ -4,8 +4,8 @@ use chordal_diagnostics::Code;
 use chordal_geometry::{ParamCurve, Transform, Vec3};
 use chordal_stock::shape::SolidShape;
 use chordal_stock::{
-    ColumnOptions, ColumnStock, RevolvedBody, StockCheck, StockError, StockTask, TipMove,
-    VolumeInterval,
+    AxialSolid, ColumnOptions, ColumnStock, RevolvedBody, StockCheck, StockError, StockTask,
+    TipMove, TurningTask, VolumeInterval,
 };
 
 use super::gather::MoveBatch;
@@ -67,6 +67,19 @@ fn look_for_gouges(
     let mut questions: Vec<TargetQuestion<'_>> = Vec::new();
     for batch in run.batches.iter().filter(|batch| !batch.kind.is_rapid()) {
         let Some(tool) = run.tool(batch.tool) else { continue };
+        if !batch.tool_turns.is_empty() {
+            match tool.inside_solid(target.tolerance) {
+                Some(solid) => questions.push(TargetQuestion {
+                    batch,
+                    bodies: Vec::new(),
+                    turning: Some([solid]),
+                    is_sure: true,
+                    moves: batch.moves.clone(),
+                }),
+                None => problems.undecided += 1,
+            }
+            continue;
+        }
         let Some(InnerCutter { holds, sure, lift }) = tool.inside(target.tolerance) else {
             problems.undecided += 1;
             continue;
@@ -79,12 +92,19 @@ fn look_for_gouges(
         let up = Transform::translation(Vec3::new(0.0, 0.0, lift));
         let moves =
             batch.moves.iter().map(|path| TipMove { curve: path.curve.transformed(&up), ..*path });
-        questions.push(TargetQuestion { batch, bodies, is_sure, moves: moves.collect() });
+        let moves = moves.collect();
+        questions.push(TargetQuestion { batch, bodies, turning: None, is_sure, moves });
     }
     let tasks: Vec<StockTask<'_>> = questions
         .iter()
         .map(|question| StockTask {
             bodies: &question.bodies,
+            turning: question.turning.as_ref().map(|bodies| TurningTask {
+                turns: &question.batch.tool_turns,
+                removes: None,
+                may: None,
+                bodies,
+            }),
             moves: &question.moves,
             drop: f64::INFINITY,
             ..StockTask::default()
@@ -132,6 +152,8 @@ struct TargetQuestion<'a> {
     batch: &'a MoveBatch,
     /// A body that contains the inset and, where it is another, one that is certainly inside.
     bodies: Vec<RevolvedBody>,
+    /// The inset where the tool is not upright, in place of these.
+    turning: Option<[AxialSolid; 1]>,
     /// True where the last body is certainly inside the tool.
     is_sure: bool,
     moves: Vec<TipMove>,

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use chordal_machine::{Cutter as Shape, HolderSegment, Tool, ToolShape};
-use chordal_stock::{CutterError, CutterProfile, Undercut};
+use chordal_stock::{AxialSolid, CutterError, CutterProfile, Undercut};
 
 use super::inside::{CutterDimensions, InnerCutter};
 use super::teeth::{ThreadMillTeeth, core};
@@ -11,7 +11,7 @@ use crate::job::Job;
 use crate::tool_comments::known_tools;
 
 /// The length that is taken for a shank of unknown length, mm: longer than any.
-const UNKNOWN_SHANK_MM: f64 = 1000.0;
+pub(super) const UNKNOWN_SHANK_MM: f64 = 1000.0;
 
 /// A tool as a body.
 #[derive(Clone, Debug)]
@@ -35,6 +35,14 @@ impl ToolBody {
     /// The cutter inset by `depth`, mm; `None` where nothing is left of it, or the inset is not known.
     pub fn inside(&self, depth: f64) -> Option<InnerCutter> {
         self.dimensions.inside(depth)
+    }
+
+    /// The edges inset by `depth` as a solid, mm; `None` where nothing is left of them, or the inset is not known.
+    pub fn inside_solid(&self, depth: f64) -> Option<AxialSolid> {
+        let (cutter, lift) = self.dimensions.inset_profile(depth)?;
+        let end = self.cutter.flutes().unwrap_or(UNKNOWN_SHANK_MM) - depth;
+        let solid = AxialSolid::of_cutter(&cutter, end - lift).raised(lift);
+        (!solid.is_empty()).then_some(solid)
     }
 
     /// What it certainly removes.
