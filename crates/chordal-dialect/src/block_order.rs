@@ -102,9 +102,7 @@ impl BlockStep {
                 | BeforeCode::CAxisOn => Some(BlockStep::SpindleOn),
                 BeforeCode::CoolantMist
                 | BeforeCode::CoolantFlood
-                | BeforeCode::CoolantThroughTool
-                // Outputs are switched with the coolant, before the motion.
-                | BeforeCode::AnalogueOutput => Some(BlockStep::CoolantOn),
+                | BeforeCode::CoolantThroughTool => Some(BlockStep::CoolantOn),
                 BeforeCode::SaveModes { .. }
                 | BeforeCode::ForgetModes
                 | BeforeCode::RestoreModes => None,

@@ -139,6 +139,8 @@ pub struct Parameters {
     pub m_groups_alarm: Option<&'static str>,
     /// The largest numbers that its words may have.
     pub largest_numbers: LargestNumbers,
+    /// The output that switches the kinematics, on machines whose file says which there are.
+    pub kinematics_output: Option<KinematicsOutput>,
     /// The largest number of characters of a line; 0 for any.
     pub longest_line: u32,
     /// Block delete is a slash at the begin of the line; a number after it means nothing.
@@ -203,6 +205,16 @@ pub struct Parameters {
     pub thread_lead: u8,
     /// The rules of motion, which do not depend on the language.
     pub rules: Rules,
+}
+
+/// An output by which a program switches the kinematics: its code with the number of the output in E and that of the
+/// kinematics in Q.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct KinematicsOutput {
+    /// The M code, in tenths.
+    pub m_code: u16,
+    /// The number of the output.
+    pub number: u32,
 }
 
 /// The largest numbers of some words; 0 for no limit.
@@ -380,6 +392,7 @@ impl Parameters {
         m_groups: &[],
         m_groups_alarm: None,
         largest_numbers: LargestNumbers::ANY,
+        kinematics_output: None,
         longest_line: 0,
         plain_block_delete: false,
         nesting: 4,

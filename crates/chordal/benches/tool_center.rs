@@ -117,7 +117,7 @@ fn benches(criterion: &mut Criterion) {
                     }
                     Ok(())
                 };
-                job.motion(&MotionOptions::default(), take).expect("limits");
+                drop(job.motion(&MotionOptions::default(), take).expect("limits"));
                 black_box(sum)
             });
         });

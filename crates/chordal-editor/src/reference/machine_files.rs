@@ -185,6 +185,7 @@ rollover = \"shortest\"",
         example: "
 [kinematics]
 tcp_frame = \"activation\"
+at_start = \"axes\"
 X = \"head\"
 Y = \"table\"
 Z = \"head\"

@@ -17,9 +17,6 @@ use super::{BlockFlow, EndReason, Interpreter};
 
 const Z: usize = Axis::Z as usize;
 
-/// The analogue output that switches the kinematics (LinuxCNC, switchkins: `M68 E3`).
-const SWITCHING_OUTPUT: u32 = 3;
-
 impl Interpreter<'_> {
     fn take_reading_mode(&mut self, action: Action) {
         let Action::Reading(code) = action else { return };
@@ -121,6 +118,7 @@ impl Interpreter<'_> {
 
     /// Carries out what is switched before the motion, in the order of the control.
     pub(super) fn take_switches(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
+        self.take_kinematics(block, codes);
         let order = &self.control.table.order;
         let rank = |row: &CodeRow| Some(order.rank(BlockStep::of_switch(row.action)?));
         if codes.iter().all(|(row, _)| rank(row).is_none()) {
@@ -211,7 +209,6 @@ impl Interpreter<'_> {
             BeforeCode::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
             BeforeCode::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
             BeforeCode::CoolantThroughTool => self.kernel.set_coolant(|c| c.through_tool = true),
-            BeforeCode::AnalogueOutput => self.analogue_output(block, at),
             // Carried out before all codes, or after all modes.
             BeforeCode::SaveModes { .. } | BeforeCode::ForgetModes | BeforeCode::RestoreModes => {}
         }
@@ -420,10 +417,15 @@ impl Interpreter<'_> {
         }
     }
 
-    /// M68: output 3 switches the kinematics (LinuxCNC, switchkins).
-    fn analogue_output(&mut self, block: &Block, at: usize) {
+    /// The output that switches the kinematics (LinuxCNC, switchkins: `M68 E3`).
+    fn take_kinematics(&mut self, block: &Block, codes: &[(&'static CodeRow, usize)]) {
         let Some(starting) = self.machine.starting_kinematics else { return };
-        if self.count_of(block, b'E') != Some(SWITCHING_OUTPUT) || !block.letters().has(b'Q') {
+        let Some(output) = self.control.parameters.kinematics_output else { return };
+        let is_output = |(row, at): &&(&CodeRow, usize)| {
+            row.code == output.m_code && block.words[*at].letter == b'M'
+        };
+        let Some(&(_, at)) = codes.iter().find(is_output) else { return };
+        if self.count_of(block, b'E') != Some(output.number) || !block.letters().has(b'Q') {
             return;
         }
         match self.count_of(block, b'Q').and_then(|number| starting.follow_tip(number)) {

@@ -155,7 +155,6 @@ impl StateWords {
             | BeforeCode::LiveToolCw
             | BeforeCode::LiveToolCcw
             | BeforeCode::CAxisOn
-            | BeforeCode::AnalogueOutput
             | BeforeCode::SaveModes { .. }
             | BeforeCode::ForgetModes
             | BeforeCode::RestoreModes => {}

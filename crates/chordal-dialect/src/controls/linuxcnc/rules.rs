@@ -67,6 +67,8 @@ pub(in crate::controls) const PARAMETERS: Parameters = Parameters {
         },
         ..Rules::COMMON
     },
+    // `M68 E3 Qn` (LinuxCNC, switchkins).
+    kinematics_output: Some(KinematicsOutput { m_code: 680, number: 3 }),
     ..Parameters::COMMON
 };
 
