@@ -3,6 +3,7 @@
 use std::collections::VecDeque;
 
 use chordal::Job;
+use chordal::control::ProgramOffsets;
 use chordal::geometry::Vec3;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
@@ -16,6 +17,7 @@ use crate::answer;
 use crate::cancel_token::CancelToken;
 use crate::frame::ColumnFrame;
 use crate::part_path::PartKinematics;
+use crate::run::FinishedRun;
 
 /// The most setpoints that are sent. When there are more, every second one is dropped, repeatedly.
 const MAX_SETPOINTS: usize = 200_000;
@@ -26,16 +28,16 @@ const MAX_SAMPLES: u64 = 20_000_000;
 /// The shortest period, s.
 const MIN_PERIOD_S: f64 = 0.002;
 
-/// Plans a run and packs its motion; `None` when it was canceled. `about_s` is its duration without acceleration, s.
+/// Plans a run and packs its motion; `None` when it was canceled.
 ///
 /// # Errors A limit of an axis is not a positive number.
 pub fn times(
     number: u64,
     job: &Job,
-    about_s: f64,
+    run: &FinishedRun,
     cancel: &CancelToken,
 ) -> Result<Option<(Vec<u8>, Value)>, LimitError> {
-    let period_s = (about_s / (MAX_SETPOINTS as f64 / 2.0)).max(MIN_PERIOD_S);
+    let period_s = (run.about_s / (MAX_SETPOINTS as f64 / 2.0)).max(MIN_PERIOD_S);
     let period_s = if period_s.is_finite() { period_s } else { 1.0 };
     let mut sink = TimedSetpointSink {
         steps: VecDeque::new(),
@@ -59,6 +61,11 @@ pub fn times(
     message["cuts_without_feed"] = json!(timed.motion.cuts_without_feed);
     message["assumed"] = json!(timed.motion.limits.assumed.len());
     let mut frame = ColumnFrame::default();
+    if let Some(Ok(machine)) = job.machine_on_part() {
+        let axes =
+            thinned.machine_axes(&timed.motion.part_frames, machine.run_zero, |row| run.modal.offsets_on(row));
+        frame.column("axes", &axes);
+    }
     let does_turn = thinned.turns.iter().any(|angle| *angle != 0.0);
     let kinematics = PartKinematics::of(&job.rotary_axes()).filter(|_| does_turn);
     match kinematics {
@@ -141,6 +148,33 @@ impl ThinnedSetpoints {
             on_part.to_array().map(|mm| mm as f32)
         });
         placed.collect()
+    }
+
+    /// The positions of all axes in machine coordinates, six numbers each, mm and rad. `run_zero` is the zero of the run
+    /// on the machine, `offsets` gives those in force on a row.
+    fn machine_axes(
+        &self,
+        frames: &[PlacedPartFrame],
+        run_zero: Vec3,
+        offsets: impl Fn(u32) -> ProgramOffsets,
+    ) -> Vec<f32> {
+        let run_zero = run_zero.to_array();
+        let (positions, turns) = (self.places.as_chunks::<3>().0, self.turns.as_chunks::<3>().0);
+        let mut axes = Vec::with_capacity(AXES * self.row.len());
+        for (at, (position, angles)) in positions.iter().zip(turns).enumerate() {
+            let part_frame = self.part_frames[at].and_then(|index| frames.get(index as usize));
+            let in_force = part_frame.map_or_else(|| offsets(self.row[at]), |own| own.offsets);
+            for axis in 0..AXES {
+                // Without a frame of the part X, Y and Z are in the frame of the run.
+                let work = match axis {
+                    0..3 if part_frame.is_none() => run_zero[axis],
+                    _ => in_force.work[axis],
+                };
+                let value = if axis < 3 { position[axis] } else { angles[axis - 3] };
+                axes.push((f64::from(value) + work + in_force.tool[axis]) as f32);
+            }
+        }
+        axes
     }
 
     /// Makes the setpoints in frames of the part those of the tip: the programmed positions, which replace those of the

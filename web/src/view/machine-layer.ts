@@ -1,0 +1,62 @@
+// The bodies of the machine, where they are relative to the part.
+
+import { Group, Matrix4 } from "three";
+import type { Vec3 } from "../path/batch";
+import { bodyPose } from "../path/rotation";
+import type { AxisMotion, MachineBodies } from "../protocol/messages";
+import type { Palette } from "./colors";
+import { ShadedMesh } from "./shaded-mesh";
+
+/** The path and the part are seen through the bodies. */
+const OPACITY = 0.25;
+
+export class MachineLayer {
+  readonly object = new Group();
+  private bodies: { mesh: ShadedMesh; motions: AxisMotion[] }[] = [];
+  private toPart = new Matrix4();
+
+  constructor(private palette: Palette, private requestFrame: () => void) {
+    this.object.visible = false;
+  }
+
+  setPalette(palette: Palette): void {
+    this.palette = palette;
+    for (const { mesh } of this.bodies) mesh.setColor(palette.fixture);
+  }
+
+  /** Sets the bodies, or none; `origin` is that of the path. */
+  set(bodies: MachineBodies | null, origin: Vec3): void {
+    for (const { mesh } of this.bodies) mesh.set(undefined, "");
+    this.object.clear();
+    const toPart = bodies?.to_part;
+    this.bodies = (toPart ? bodies.solids : []).map(({ corners, motions }) => {
+      const mesh = new ShadedMesh(OPACITY);
+      mesh.set(new Float32Array(corners), this.palette.fixture);
+      mesh.object.matrixAutoUpdate = false;
+      this.object.add(mesh.object);
+      return { mesh, motions };
+    });
+    if (toPart) this.toPart.fromArray(toPart);
+    this.object.position.set(-origin[0], -origin[1], -origin[2]);
+    this.place(undefined);
+  }
+
+  /** Moves the bodies to where they are with the axes at positions, mm and rad; undefined hides those that axes move. */
+  place(axes: number[] | undefined): void {
+    for (const { mesh: { object }, motions } of this.bodies) {
+      object.visible = axes !== undefined || motions.length === 0;
+      if (object.visible) object.matrix.fromArray(bodyPose(motions, axes ?? [])).premultiply(this.toPart);
+    }
+    if (this.object.visible) this.requestFrame();
+  }
+
+  show(shown: boolean): void {
+    this.object.visible = shown;
+    this.requestFrame();
+  }
+
+  /** Where the zero of the machine is for each body that is shown, in the frame of the run: for tests. */
+  places(): Vec3[] {
+    return this.object.children.filter(({ visible }) => visible).map(({ matrix }) => [matrix.elements[12]!, matrix.elements[13]!, matrix.elements[14]!]);
+  }
+}
