@@ -62,8 +62,9 @@ pub fn times(
     message["assumed"] = json!(timed.motion.limits.assumed.len());
     let mut frame = ColumnFrame::default();
     if let Some(Ok(machine)) = job.machine_on_part() {
-        let axes =
-            thinned.machine_axes(&timed.motion.part_frames, machine.run_zero, |row| run.modal.offsets_on(row));
+        let axes = thinned.machine_axes(&timed.motion.part_frames, machine.run_zero, |row| {
+            run.modal.offsets_on(row)
+        });
         frame.column("axes", &axes);
     }
     let does_turn = thinned.turns.iter().any(|angle| *angle != 0.0);
@@ -250,5 +251,32 @@ impl PlanSink for TimedSetpointSink {
         let most = 2 * sources.len() + 100_000;
         let passed = steps.len().saturating_sub(most);
         steps.drain(..passed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_on_the_machine_are_those_of_the_gauge_point() {
+        let setpoints = ThinnedSetpoints {
+            places: vec![10.0, 20.0, 30.0],
+            turns: vec![0.0, 0.0, 1.0],
+            row: vec![7],
+            part_frames: vec![None],
+            ..ThinnedSetpoints::default()
+        };
+        // The work offset in force is another one than that of the run, to which the positions belong.
+        let offsets = |row| {
+            assert_eq!(row, 7);
+            ProgramOffsets {
+                work: [-1.0, -2.0, -3.0, 0.0, 0.0, 0.5],
+                tool: [0.0, 0.0, 100.0, 0.0, 0.0, 0.0],
+            }
+        };
+        let run_zero = Vec3::new(-300.0, -200.0, -350.0);
+        let axes = setpoints.machine_axes(&[], run_zero, offsets);
+        assert_eq!(axes, [-290.0, -180.0, -220.0, 0.0, 0.0, 1.5]);
     }
 }

@@ -56,8 +56,7 @@ fn machine_on_part(machine: &str) -> MachineOnPart {
 fn place(machine: &MachineOnPart, body: &str, axes: [f64; 6], point: [f64; 3]) -> [f64; 3] {
     let body = machine.bodies.iter().find(|own| own.name == body).expect("the body");
     let motions = body.motions.iter();
-    let pose =
-        motions.fold(Transform::identity(), |pose, motion| pose.then(&motion.motion(&axes)));
+    let pose = motions.fold(Transform::identity(), |pose, motion| pose.then(&motion.motion(&axes)));
     let at = pose.then(&machine.to_part).apply_point(Vec3::from_array(point));
     at.to_array().map(|mm| (mm * 1e6).round() / 1e6 + 0.0)
 }

@@ -12,7 +12,7 @@ const OPACITY = 0.25;
 
 export class MachineLayer {
   readonly object = new Group();
-  private bodies: { mesh: ShadedMesh; motions: AxisMotion[] }[] = [];
+  private bodies: { name: string; mesh: ShadedMesh; motions: AxisMotion[] }[] = [];
   private toPart = new Matrix4();
 
   constructor(private palette: Palette, private requestFrame: () => void) {
@@ -29,12 +29,12 @@ export class MachineLayer {
     for (const { mesh } of this.bodies) mesh.set(undefined, "");
     this.object.clear();
     const toPart = bodies?.to_part;
-    this.bodies = (toPart ? bodies.solids : []).map(({ corners, motions }) => {
+    this.bodies = (toPart ? bodies.solids : []).map(({ name, corners, motions }) => {
       const mesh = new ShadedMesh(OPACITY);
       mesh.set(new Float32Array(corners), this.palette.fixture);
       mesh.object.matrixAutoUpdate = false;
       this.object.add(mesh.object);
-      return { mesh, motions };
+      return { name, mesh, motions };
     });
     if (toPart) this.toPart.fromArray(toPart);
     this.object.position.set(-origin[0], -origin[1], -origin[2]);
@@ -55,8 +55,9 @@ export class MachineLayer {
     this.requestFrame();
   }
 
-  /** Where the zero of the machine is for each body that is shown, in the frame of the run: for tests. */
-  places(): Vec3[] {
-    return this.object.children.filter(({ visible }) => visible).map(({ matrix }) => [matrix.elements[12]!, matrix.elements[13]!, matrix.elements[14]!]);
+  /** Where the point of each shown body is that is at the zero of the machine with all axes at zero, in the frame of the run: for tests. */
+  places(): Record<string, Vec3> {
+    const shown = this.bodies.filter(({ mesh }) => mesh.object.visible);
+    return Object.fromEntries(shown.map(({ name, mesh }) => [name, mesh.object.matrix.elements.slice(12, 15) as Vec3]));
   }
 }

@@ -112,6 +112,7 @@ export class PathView {
     this.lathe = new HalfSectionLayer(palette, () => this.render());
     canvas.after(this.lathe.over);
     this.painter.underlay = () => this.lathe.underlay ?? this.stock.underlay;
+    this.painter.hasFaces = () => this.machine.object.visible;
     this.tool = new ToolShape(palette);
     this.painter.extras.add(this.contour, this.chords, this.other.object);
     this.painter.own.add(this.differences.own.object);
