@@ -8,7 +8,7 @@ use chordal::geometry::Vec3;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
     LimitError, MotionOptions, MotionSample, PlacedPartFrame, PlanSink, PlannerStep,
-    SetpointSampler, StepSource, StepSources,
+    SetpointSampler, StepKind, StepSource, StepSources,
 };
 use chordal_export::short_blocks_text;
 use serde_json::{Value, json};
@@ -53,6 +53,7 @@ pub fn times(
     let TimedSetpointSink { sampler, mut thinned, steps } = sink;
     let (total_s, cut_short) = (sampler.time_s(), sampler.is_exhausted());
     sampler.finish(|sample| thinned.take(sample, &steps));
+    thinned.begin_at_first_move();
     let mut message = answer::times(&timed.time);
     message["type"] = json!("times");
     message["run"] = json!(number);
@@ -101,6 +102,8 @@ struct PlannedStep {
     row: u32,
     shift: PerAxis<f64>,
     part_frame: Option<u32>,
+    /// A wait before the first move, at a position that the planner does not know yet.
+    is_before_moves: bool,
 }
 
 /// The setpoints to send, thinned out.
@@ -115,6 +118,8 @@ struct ThinnedSetpoints {
     row: Vec<u32>,
     /// The frames of the part, by their index in the report.
     part_frames: Vec<Option<u32>>,
+    /// The number of setpoints before the first move.
+    before_moves: usize,
 }
 
 impl ThinnedSetpoints {
@@ -129,6 +134,9 @@ impl ThinnedSetpoints {
         let at = steps.partition_point(|step| step.number <= number);
         let planned = steps.get(at.saturating_sub(1));
         let (row, shift) = planned.map_or((0, [0.0; AXES]), |planned| (planned.row, planned.shift));
+        if planned.is_some_and(|planned| planned.is_before_moves) {
+            self.before_moves = self.row.len() + 1;
+        }
         self.part_frames.push(planned.and_then(|planned| planned.part_frame));
         self.places.extend((0..3).map(|axis| (sample.position[axis] - shift[axis]) as f32));
         let turn = |axis: usize| (sample.position[axis] - shift[axis]) as f32;
@@ -137,6 +145,20 @@ impl ThinnedSetpoints {
         self.row.push(row);
         if self.row.len() >= MAX_SETPOINTS {
             self.thin_out();
+        }
+    }
+
+    /// Until the first move the axes are where it begins.
+    fn begin_at_first_move(&mut self) {
+        let first = self.before_moves;
+        if first >= self.row.len() {
+            return;
+        }
+        let frame = self.part_frames[first];
+        self.part_frames[..first].fill(frame);
+        for at in 0..first {
+            self.places.copy_within(3 * first..3 * first + 3, 3 * at);
+            self.turns.copy_within(3 * first..3 * first + 3, 3 * at);
         }
     }
 
@@ -217,6 +239,7 @@ impl ThinnedSetpoints {
             self.places.copy_within(6 * at..6 * at + 3, 3 * at);
             self.turns.copy_within(6 * at..6 * at + 3, 3 * at);
         }
+        self.before_moves = self.before_moves.div_ceil(2);
         self.row.truncate(halves);
         self.part_frames.truncate(halves);
         self.speed.truncate(halves);
@@ -237,8 +260,15 @@ impl PlanSink for TimedSetpointSink {
         // The index of a path segment is the row in the sent columns.
         let row = u32::try_from(source.piece).unwrap_or(u32::MAX);
         let number = StepSource::number_of(source.tag);
-        let (shift, part_frame) = (source.shift, source.part_frame);
-        self.steps.push_back(PlannedStep { number, row, shift, part_frame });
+        let part_frame = match source.kind {
+            StepKind::Move(_) => source.part_frame,
+            // The tip stays where the last move has brought it.
+            StepKind::Wait(_) => self.steps.back().and_then(|step| step.part_frame),
+        };
+        let is_before_moves = matches!(source.kind, StepKind::Wait(_))
+            && self.steps.back().is_none_or(|step| step.is_before_moves);
+        let shift = source.shift;
+        self.steps.push_back(PlannedStep { number, row, shift, part_frame, is_before_moves });
     }
 
     fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
