@@ -20,6 +20,13 @@ X = "-500 mm"
 Y = "-250 mm"
 Z = "-450 mm"
 
+[home]
+X = "-500 mm"
+Y = "-250 mm"
+Z = "0 mm"
+B = "0 deg"
+C = "0 deg"
+
 [tools.1]
 length = "${TOOL_LENGTH_MM} mm"
 diameter = "6 mm"
@@ -115,7 +122,7 @@ test("the spindle of a five-axis machine is where the tool is", async (context) 
   await page.locator("#machine-bodies").check();
   const total = Number(await page.locator("#scrubber").getAttribute("max"));
   // Before, the tool length is not active, and the tool is drawn at the gauge point.
-  for (const share of [0.3, 0.5, 0.7, 0.95]) {
+  for (const share of [0.3, 0.5, 0.7, 0.95, 1]) {
     await page.evaluate((seconds) => {
       const scrubber = document.querySelector("#scrubber");
       scrubber.value = String(seconds);
