@@ -21,7 +21,7 @@ export class MachineLayer {
 
   setPalette(palette: Palette): void {
     this.palette = palette;
-    for (const { mesh } of this.bodies) mesh.setColor(palette.fixture);
+    for (const { mesh } of this.bodies) mesh.setColor(palette.machine);
   }
 
   /** Sets the bodies, or none; `origin` is that of the path. */
@@ -31,7 +31,7 @@ export class MachineLayer {
     const toPart = bodies?.to_part;
     this.bodies = (toPart ? bodies.solids : []).map(({ name, corners, motions }) => {
       const mesh = new ShadedMesh(OPACITY);
-      mesh.set(new Float32Array(corners), this.palette.fixture);
+      mesh.set(new Float32Array(corners), this.palette.machine);
       mesh.object.matrixAutoUpdate = false;
       this.object.add(mesh.object);
       return { name, mesh, motions };
