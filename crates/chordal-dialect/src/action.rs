@@ -82,6 +82,8 @@ pub enum BeforeCode {
     CoolantMist,
     CoolantFlood,
     CoolantThroughTool,
+    /// An analogue output (M68): output 3 switches the kinematics where the machine file says which there are.
+    AnalogueOutput,
     /// The modes in force are kept (LinuxCNC M70); to come back at the end of the subprogram (M73).
     SaveModes {
         until_return: bool,

@@ -102,7 +102,9 @@ impl BlockStep {
                 | BeforeCode::CAxisOn => Some(BlockStep::SpindleOn),
                 BeforeCode::CoolantMist
                 | BeforeCode::CoolantFlood
-                | BeforeCode::CoolantThroughTool => Some(BlockStep::CoolantOn),
+                | BeforeCode::CoolantThroughTool
+                // Outputs are switched with the coolant, before the motion.
+                | BeforeCode::AnalogueOutput => Some(BlockStep::CoolantOn),
                 BeforeCode::SaveModes { .. }
                 | BeforeCode::ForgetModes
                 | BeforeCode::RestoreModes => None,

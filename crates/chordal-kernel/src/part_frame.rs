@@ -104,9 +104,23 @@ impl Kernel<'_> {
     /// Ends tool centre point control; a tilted plane stays.
     pub fn end_tool_center(&mut self) {
         self.state.tool_by_vector = false;
+        if self.state.tip_by_kinematics {
+            return;
+        }
         if self.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip) {
             self.set_part_frame(false, self.tilted_plane());
         }
+    }
+
+    /// Switches the kinematics of the control (LinuxCNC, switchkins): X, Y and Z are the tip on the part, or positions of the
+    /// axes. The machine does not move.
+    pub fn switch_kinematics(&mut self, follow_tip: bool) {
+        self.state.tip_by_kinematics = false;
+        match follow_tip {
+            true => self.begin_tool_center(),
+            false => self.end_tool_center(),
+        }
+        self.state.tip_by_kinematics = follow_tip;
     }
 
     /// The rotary axes of the machine.

@@ -284,6 +284,8 @@ pub struct State {
     pub has_tilted_plane: bool,
     /// Under tool centre point control the program gives the direction of the tool as a vector (G43.5).
     pub tool_by_vector: bool,
+    /// The tip is followed by the kinematics of the control, which no code of the tool length ends.
+    pub tip_by_kinematics: bool,
     /// The origin of the coordinates rides on the tables, and their axes stay those of the machine (Haas G254).
     pub origin_on_table: bool,
     /// The linear axes that moves have named since then; Z only after X and Y.
@@ -378,6 +380,7 @@ impl State {
             part_frame: None,
             has_tilted_plane: false,
             tool_by_vector: false,
+            tip_by_kinematics: false,
             origin_on_table: false,
             named_on_table: AxisMask::NONE,
             units: rules.units,

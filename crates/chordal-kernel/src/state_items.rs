@@ -156,6 +156,7 @@ impl State {
             part_frame: _,
             has_tilted_plane: _,
             tool_by_vector: _,
+            tip_by_kinematics: _,
             origin_on_table: _,
             named_on_table: _,
             units,

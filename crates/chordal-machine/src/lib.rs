@@ -71,7 +71,7 @@ pub use kinematics::KinematicsError;
 pub use machine::{
     AxisLimits, CustomCodeSpec, DiameterProgramming, FeedLimits, LinearCarriers, Machine,
     MachineNotices, Macros, NonMotionTimes, Probe, ProbeHit, RapidShape, RotaryAxis, RotaryTarget,
-    Switches, TcpFrame, Turret, WorkOffset,
+    StartingKinematics, Switches, TcpFrame, Turret, WorkOffset,
 };
 pub use motion::MotionSettings;
 pub use offset::work_offset_name;

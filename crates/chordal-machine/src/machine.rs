@@ -35,6 +35,8 @@ pub struct Machine {
     pub rotary: [RotaryAxis; 3],
     /// The frame of the tip with tool centre point control.
     pub tcp_frame: TcpFrame,
+    /// What X, Y and Z mean where a program begins, on a control that switches its kinematics; `None`: it does not.
+    pub starting_kinematics: Option<StartingKinematics>,
     /// What carries the linear axes.
     pub linear: LinearCarriers,
     /// The bodies of the machine, by name.
@@ -169,6 +171,38 @@ pub enum TcpFrame {
     Zero,
     /// It lies on the part as the tables are where the control is activated.
     Activation,
+}
+
+/// What X, Y and Z mean where a program begins, on a control that switches its kinematics (LinuxCNC, switchkins).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum StartingKinematics {
+    /// Positions of the axes: its kinematics begin with `identityfirst`.
+    Axes,
+    /// The tip on the part.
+    Tip,
+}
+
+impl StartingKinematics {
+    /// Both values.
+    pub const ALL: [StartingKinematics; 2] = [StartingKinematics::Axes, StartingKinematics::Tip];
+
+    /// The word for it in machine files.
+    pub const fn as_str(self) -> &'static str {
+        match self {
+            StartingKinematics::Axes => "axes",
+            StartingKinematics::Tip => "tip",
+        }
+    }
+
+    /// Whether the kinematics with a number follow the tip: 0 are those of the start, 1 the others. `None` for more.
+    pub fn follow_tip(self, number: u32) -> Option<bool> {
+        let at_start = self == StartingKinematics::Tip;
+        match number {
+            0 => Some(at_start),
+            1 => Some(!at_start),
+            _ => None,
+        }
+    }
 }
 
 impl TcpFrame {
@@ -395,6 +429,7 @@ impl Machine {
             axes: [None; AXES],
             rotary: [RotaryAxis::default(); 3],
             tcp_frame: TcpFrame::Zero,
+            starting_kinematics: None,
             linear: LinearCarriers::default(),
             solids: BTreeMap::new(),
             feed: FeedLimits::default(),

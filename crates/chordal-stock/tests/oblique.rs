@@ -284,7 +284,7 @@ fn check(seed: u64) -> [u64; 3] {
 #[test]
 fn the_truth_is_between_the_bounds() {
     let rounds = std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok());
-    let rounds: u64 = rounds.unwrap_or(300);
+    let rounds: u64 = rounds.unwrap_or(200);
     // Two threads, each with every second seed.
     let half = |first: u64| {
         let seeds = (first..rounds).step_by(2);
@@ -385,7 +385,7 @@ fn points(half: f64) -> impl Iterator<Item = Vec3> {
 fn contacts_are_between_their_bounds() {
     const HALF: f64 = 5.0;
     let mut found = [0; 2];
-    for seed in 0..24 {
+    for seed in 0..12 {
         let path = SampledMove::random(&mut RandomNumbers(seed + 7_000_000));
         let body = [AxialSolid::of_cutter(&path.tool.profile(), path.length)];
         let turn = ToolTurn::new(path.direction, &path.turns).expect("a turn");
@@ -402,7 +402,7 @@ fn contacts_are_between_their_bounds() {
         found[0] += u32::from(contact.least > 0.01);
         found[1] += u32::from(contact.most <= 0.01);
     }
-    assert!(found[0] > 4 && found[1] > 1, "{found:?}");
+    assert!(found[0] > 2 && found[1] > 0, "{found:?}");
 }
 
 #[test]

@@ -228,6 +228,7 @@ fn before(code: BeforeCode, table: &ControlTable) -> CodeFacts {
             PLAIN.example(if table.command_line.is_some() { "{} S1000" } else { "S1000 {}" })
         }
         BeforeCode::CAxisOn
+        | BeforeCode::AnalogueOutput
         | BeforeCode::CoolantMist
         | BeforeCode::CoolantFlood
         | BeforeCode::CoolantThroughTool => PLAIN,

@@ -67,7 +67,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use chordal_diagnostics::{Code, FileId, Span, TextRange};
 use chordal_dialect::LiteralScale;
 use chordal_kernel::{Checkpoint, CompletedRun, EndReason, Kernel, Outcome, RunSink};
-use chordal_machine::{Machine, PerAxis};
+use chordal_machine::{Machine, PerAxis, StartingKinematics};
 use chordal_syntax::{Block, BlockKind, BlockPosition as TextPosition, BlockReader, Decimal};
 
 use crate::firmware::FirmwareChecker;
@@ -332,6 +332,9 @@ impl<'a> Interpreter<'a> {
                 return Some(EndReason::NotRun);
             }
             self.read_subroutine_section();
+            if self.machine.starting_kinematics == Some(StartingKinematics::Tip) {
+                self.kernel.switch_kinematics(true);
+            }
         }
         let wants_blocks = self.kernel.sink.wants_blocks();
         let mut next_checkpoint = self.kernel.sink.next_checkpoint();

@@ -17,6 +17,9 @@ use super::{BlockFlow, EndReason, Interpreter};
 
 const Z: usize = Axis::Z as usize;
 
+/// The analogue output that switches the kinematics (LinuxCNC, switchkins: `M68 E3`).
+const SWITCHING_OUTPUT: u32 = 3;
+
 impl Interpreter<'_> {
     fn take_reading_mode(&mut self, action: Action) {
         let Action::Reading(code) = action else { return };
@@ -208,6 +211,7 @@ impl Interpreter<'_> {
             BeforeCode::CoolantMist => self.kernel.set_coolant(|c| c.mist = true),
             BeforeCode::CoolantFlood => self.kernel.set_coolant(|c| c.flood = true),
             BeforeCode::CoolantThroughTool => self.kernel.set_coolant(|c| c.through_tool = true),
+            BeforeCode::AnalogueOutput => self.analogue_output(block, at),
             // Carried out before all codes, or after all modes.
             BeforeCode::SaveModes { .. } | BeforeCode::ForgetModes | BeforeCode::RestoreModes => {}
         }
@@ -413,6 +417,19 @@ impl Interpreter<'_> {
             let mut assumed = self.kernel.state.position;
             assumed[Z] = commanded;
             self.kernel.state.control_position = Some(assumed);
+        }
+    }
+
+    /// M68: output 3 switches the kinematics (LinuxCNC, switchkins).
+    fn analogue_output(&mut self, block: &Block, at: usize) {
+        let Some(starting) = self.machine.starting_kinematics else { return };
+        if self.count_of(block, b'E') != Some(SWITCHING_OUTPUT) || !block.letters().has(b'Q') {
+            return;
+        }
+        match self.count_of(block, b'Q').and_then(|number| starting.follow_tip(number)) {
+            Some(follow_tip) => self.kernel.switch_kinematics(follow_tip),
+            None => self
+                .not_followed(&block.words[at], "kinematics that the machine file does not give"),
         }
     }
 

@@ -7,8 +7,8 @@ use super::{DateOrTime, MachineField, PlaceholderKeys, SchemaRow, SchemaSlot, Si
 use crate::axis::{Axis, PerAxis};
 use crate::control::ControlName;
 use crate::machine::{
-    AxisLimits, Machine, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, TcpFrame, Turret,
-    WorkOffset,
+    AxisLimits, Machine, ProbeHit, RapidShape, RotaryAxis, RotaryTarget, StartingKinematics,
+    TcpFrame, Turret, WorkOffset,
 };
 use crate::quantity::QuantityDimension;
 use crate::tool::{Tool, ToolShape};
@@ -219,6 +219,13 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         words!(TcpFrame),
         |m, _| &mut m.tcp_frame,
         "the frame of tool centre point control on tables: as it lies on the part with the tables at zero (`zero`), or as they are where it is switched on (`activation`); otherwise `zero`",
+    ),
+    word(
+        "kinematics.at_start",
+        "kinematics",
+        words!(StartingKinematics),
+        |m, _| &mut m.starting_kinematics,
+        "what X, Y and Z of a program are where it begins, on a control that switches its kinematics (LinuxCNC): positions of the axes, or the tip on the part; `M68 E3 Q0` is this one, `Q1` the other; otherwise they are those of the axes, and M68 switches nothing",
     ),
     quantity(
         "feed.max",

@@ -4,7 +4,9 @@ use chordal_kinematics::RolloverRule;
 
 use crate::axis::{AXIS_NAMES, Axis};
 use crate::control::ControlName;
-use crate::machine::{Probe, ProbeHit, RapidShape, RotaryTarget, TcpFrame, Turret};
+use crate::machine::{
+    Probe, ProbeHit, RapidShape, RotaryTarget, StartingKinematics, TcpFrame, Turret,
+};
 use crate::setup::{BodyShape, MeshUnit};
 use crate::solid::{LinearOrder, MachineSolidShape, SolidLink};
 use crate::tool::ToolShape;
@@ -48,6 +50,7 @@ optional_words!(
     RolloverRule,
     RotaryTarget,
     SolidLink,
+    StartingKinematics,
     ToolFacing,
     ToolShape
 );

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 
 use chordal::control::{ArcShape, Feed, FeedAlong, FeedMode, Move, Position, RapidPath};
 use chordal::geometry::{Arc, Curve, ParamCurve, Plane, Vec3};
-use chordal::machine::KinematicChain;
+use chordal::machine::{KinematicChain, StartingKinematics};
 use chordal::path::{AxisMoves, AxisMovesError, TimedAxisPiece};
 use chordal::{Command, CommandKind, Job, Machine};
 use chordal_compare::ComparedAxes;
@@ -36,6 +36,13 @@ pub(super) fn compared_axes(
     let keeps = old.control == new.control && chains[0] == chains[1] && !options.axis_positions;
     let tolerance_mm = options.tolerance_mm * CHORD_SHARE;
     (has_tip && !keeps).then_some(ComparedAxes { chain: chains[1], tolerance_mm })
+}
+
+/// Whether the new program must switch the kinematics of its machine to the axes before it gives them.
+pub(super) fn switches_to_axes([old, new]: [&Machine; 2], writes_axes: bool) -> bool {
+    let follows_tip =
+        |machine: &Machine| machine.starting_kinematics == Some(StartingKinematics::Tip);
+    follows_tip(new) && (writes_axes || !follows_tip(old))
 }
 
 /// The rotary axes of a machine; `None` where it has none, or they are not known.

@@ -25,6 +25,8 @@ pub(crate) struct ConvertContext<'a> {
     pub exact_cycles: bool,
     /// Moves of the tip are written as moves of the axes.
     pub writes_axes: bool,
+    /// The new machine begins with kinematics that follow the tip, and the new program gives its axes.
+    pub switches_to_axes: bool,
     /// The contours that cycles of a lathe cut.
     pub contours: &'a CycleContours,
     /// Live tools of a lathe that are started like the spindle.

@@ -37,8 +37,13 @@ pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut Rend
         };
         if *is_flat {
             begin_flat(context, main, &runs, rendered);
+            let body = main.clone().filter(|at| *at >= context.source.first_words(main));
+            if let Some(at) = body.into_iter().find(|at| rendered.lines[*at].is_some()) {
+                switch_to_axes(context, at, rendered);
+            }
             continue;
         }
+        switch_to_axes(context, first, rendered);
         let mut words = Vec::new();
         let start = runs.first().map(|exec| exec.before.units);
         if parameters[0].rules.units != parameters[1].rules.units
@@ -77,6 +82,22 @@ pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut Rend
         });
         rendered.lines[first].get_or_insert_default().insert(0, line);
     }
+}
+
+/// Switches the kinematics to the axes before a block, and waits until they are switched (LinuxCNC, switchkins).
+fn switch_to_axes(context: &ConvertContext, at: usize, rendered: &mut RenderedPlan) {
+    if !context.switches_to_axes {
+        return;
+    }
+    let lines = ["M68 E3 Q1", "M66 E0 L0"].map(String::from);
+    rendered.changes.push(Change {
+        line: context.source.blocks[at].line,
+        before: String::new(),
+        after: lines.join(", "),
+        reason: "the kinematics of the machine begin with the tip, and the program gives the axes"
+            .into(),
+    });
+    rendered.lines[at].get_or_insert_default().splice(0..0, lines);
 }
 
 /// What a lathe of another control would begin with otherwise: radii, and the feed that F counts.

@@ -221,6 +221,10 @@ pub fn convert(old: &Job, target: &Machine, options: &ConversionOptions) -> Conv
         keeps_corners: corners::keeps_corners(&source, &trace, from, to),
         exact_cycles: options.exact_cycles,
         writes_axes: axes.is_some(),
+        switches_to_axes: axis_positions::switches_to_axes(
+            [old.machine(), &conversion.machine],
+            axes.is_some(),
+        ),
     };
     let mut plan = ConvertPlan::new(&context, options);
     // Writing out more may end worse than before: the nearest attempt is the one that is shown.

@@ -155,6 +155,7 @@ impl StateWords {
             | BeforeCode::LiveToolCw
             | BeforeCode::LiveToolCcw
             | BeforeCode::CAxisOn
+            | BeforeCode::AnalogueOutput
             | BeforeCode::SaveModes { .. }
             | BeforeCode::ForgetModes
             | BeforeCode::RestoreModes => {}

@@ -10,7 +10,7 @@ use chordal_machine::{Axis, RotaryTarget};
 use chordal_path::{PathCommand, Segment};
 
 use super::bodies::{
-    ContactMeaning, MachineBody, machine_bodies, meaning, setup_bodies, tool_bodies,
+    BodyRole, ContactMeaning, MachineBody, machine_bodies, meaning, setup_bodies, tool_bodies,
 };
 use super::doubts::CollisionDoubts;
 use super::moves::{FollowedMove, MoveFollower};
@@ -234,10 +234,13 @@ impl CollisionRun<'_> {
         for (place, one) in bodies.iter().enumerate() {
             for (other, body) in bodies.iter().enumerate().skip(place + 1) {
                 let Some(meaning) = meaning(&self.links, one, body) else { continue };
+                // Messages name the tool first.
+                let is_tool = matches!(body.role, BodyRole::Tool(_));
+                let named = if is_tool { [other, place] } else { [place, other] };
                 let mut axes = AxisMask::NONE;
                 let [a, b] = [one.linked.link(), body.linked.link()];
                 self.links.axes_between(a, b).into_iter().for_each(|axis| axes.insert(axis));
-                pairs.push(BodyPair { bodies: [other, place], meaning, axes });
+                pairs.push(BodyPair { bodies: named, meaning, axes });
             }
         }
         for body in &bodies {
@@ -279,6 +282,9 @@ impl CollisionRun<'_> {
 
     fn follow(&mut self, followed: &FollowedMove, origin: &Origin, is_cut: bool) {
         self.moves += 1;
+        if self.moves == 1 {
+            self.add_unknown_start(origin);
+        }
         if let Some(reason) = followed.not_followed {
             let reason = format!("this move is not checked: {reason}");
             return self.doubts.add(origin.span, reason, "no move with this reason is checked");
@@ -300,6 +306,24 @@ impl CollisionRun<'_> {
         if unknown != AxisMask::NONE {
             self.add_unknown(unknown, followed, origin);
         }
+    }
+
+    /// A run begins at the first reference point, and at 0 on axes for which it is not given: then nothing is proved.
+    fn add_unknown_start(&mut self, origin: &Origin) {
+        let home = AxisMask::with_values(&self.job.machine().home);
+        let pairs = self.scenes.values().flat_map(|scene| &scene.pairs);
+        let needed = pairs.fold(AxisMask::NONE, |axes, pair| axes.or(pair.axes));
+        let unknown = needed.without(home);
+        if unknown == AxisMask::NONE {
+            return;
+        }
+        let letters: Vec<String> = unknown.iter().map(|axis| axis.to_string()).collect();
+        let verb = if letters.len() == 1 { "stands" } else { "stand" };
+        let reason = format!(
+            "where {} {verb} before the program is not known: 0 in machine coordinates is assumed",
+            letters.join(", ")
+        );
+        self.doubts.add(origin.span, reason, "give `[home]` of each axis in the machine file");
     }
 
     fn add_unknown(&mut self, unknown: AxisMask, followed: &FollowedMove, origin: &Origin) {
@@ -412,6 +436,11 @@ impl CollisionRun<'_> {
 
     fn finish(mut self, mut report: crate::report::Report) -> CollisionReport {
         let has_pairs = self.most_pairs > 0;
+        if report.outcomes.len() > 1 {
+            let reason = "the text holds several programs, and where the axes stand between them is not known";
+            let help = "check one program at a time with --program";
+            self.doubts.add(Span::default(), reason.to_string(), help);
+        }
         let is_proved = has_pairs
             && self.doubts.diagnostics.is_empty()
             && self.problems.is_empty()

@@ -446,3 +446,42 @@ fn a_rotary_axis_rolls_over_by_the_rule_of_the_machine() {
     assert_eq!(ends_of("linear"), [-150.0, 540.0, -620.0, -240.0, -1080.0]);
     assert_eq!(ends_of("sign"), [-210.0, -180.0, -460.0, -80.0, -920.0]);
 }
+
+/// LinuxCNC's trunnion: the kinematics follow the tip until M68 switches them to the axes, and back.
+#[test]
+fn kinematics_are_switched_by_an_output() {
+    let own = "inherits = 'linuxcnc-xyzac-trt'
+[rotary.A]
+point = { Y = '-200 mm', Z = '-400 mm' }
+reversed = false
+[rotary.C]
+point = { X = '-300 mm', Y = '-200 mm' }
+reversed = false
+[axes.X]
+travel = ['-1000 mm', '0 mm']
+[axes.Y]
+travel = ['-500 mm', '0 mm']
+[axes.Z]
+travel = ['-500 mm', '0 mm']
+";
+    let start = "G21 G90 G17 G94 G54\nT1 M6\nG43\nS5000 M3\nG0 X10. Y0 Z20. A0 C0\n";
+    let tip = [-292.9289, -186.1237, -261.8234];
+    let axes = [-290.0, -200.0, -260.0];
+    let turned = "G1 X10. Y0 Z20. A30. C45. F500.\n";
+    let last = |middle: &str, own: &str| {
+        let job = job(machine(own), &format!("{start}{middle}M2\n"));
+        clean(&job);
+        *ends(&job, 1e-3).last().expect("moves")
+    };
+    assert_near(&last(turned, own), tip);
+    assert_near(&last(&format!("M68 E3 Q1\nM66 E0 L0\n{turned}"), own), axes);
+    assert_near(&last(&format!("M68 E3 Q1\nM68 E3 Q0\n{turned}"), own), tip);
+    // Another output switches nothing, and neither does a length.
+    assert_near(&last(&format!("M68 E2 Q1\nG49\nG43\n{turned}"), own), tip);
+    let axes_first = format!("{own}[kinematics]\nat_start = 'axes'\n");
+    assert_near(&last(turned, &axes_first), axes);
+    assert_near(&last(&format!("M68 E3 Q1\n{turned}"), &axes_first), tip);
+    // The third kinematics are those of the user.
+    let job = job(machine(own), &format!("{start}M68 E3 Q2\n{turned}M2\n"));
+    assert!(job.check().diagnostics.iter().any(|found| found.code == Code::NotFollowed));
+}

@@ -216,7 +216,7 @@ pub(super) const M_CODES: &[CodeRow] = &[
     row(650, CodeGroup::Auxiliary, NoEffect, "P", "output off at once"),
     row(660, CodeGroup::Auxiliary, NoEffect, "PELQ", "wait for an input"),
     row(670, CodeGroup::Auxiliary, NoEffect, "EQ", "analogue output"),
-    row(680, CodeGroup::Auxiliary, NoEffect, "EQ", "analogue output"),
+    row(680, CodeGroup::Auxiliary, Before(AnalogueOutput), "EQ", "analogue output"),
     row(
         700,
         CodeGroup::Auxiliary,
