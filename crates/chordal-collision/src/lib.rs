@@ -39,5 +39,5 @@ mod links;
 mod pair;
 
 pub use axis_move::AxisMove;
-pub use links::MachineLinks;
+pub use links::{LinkJoint, MachineLinks};
 pub use pair::{LinkedSolid, PairAnswer, PairCheck, PairOverlap};

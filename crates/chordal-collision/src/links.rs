@@ -5,17 +5,45 @@ use chordal_kinematics::{KinematicChain, RotaryMount};
 
 /// How a link moves on the one that carries it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum LinkJoint {
+pub enum LinkJoint {
     /// Not at all: the base.
     Fixed,
     /// Along X, Y or Z (0 to 2), by the position of the axis times the sign.
-    Linear { axis: usize, sign: f64 },
+    Linear {
+        /// 0 to 2.
+        axis: usize,
+        /// 1 or -1.
+        sign: f64,
+    },
     /// About a line, by the angle of A, B or C (3 to 5) times the sign, with the right hand about the direction.
-    Rotary { axis: usize, sign: f64, point: Vec3, direction: Vec3 },
+    Rotary {
+        /// 3 to 5.
+        axis: usize,
+        /// 1 or -1.
+        sign: f64,
+        /// A point on the line, with all axes at zero, mm.
+        point: Vec3,
+        /// The direction of the line.
+        direction: Vec3,
+    },
 }
 
 impl LinkJoint {
-    fn motion(&self, axes: &PerAxis<f64>) -> Transform {
+    /// The same joint, moved the other way.
+    #[must_use]
+    pub fn reversed(self) -> LinkJoint {
+        match self {
+            LinkJoint::Fixed => LinkJoint::Fixed,
+            LinkJoint::Linear { axis, sign } => LinkJoint::Linear { axis, sign: -sign },
+            LinkJoint::Rotary { axis, sign, point, direction } => {
+                LinkJoint::Rotary { axis, sign: -sign, point, direction }
+            }
+        }
+    }
+
+    /// What it does to what it carries, with the axes at these positions (mm and rad).
+    #[must_use]
+    pub fn motion(&self, axes: &PerAxis<f64>) -> Transform {
         match *self {
             LinkJoint::Fixed => Transform::identity(),
             LinkJoint::Linear { axis, sign } => {
@@ -138,6 +166,14 @@ impl MachineLinks {
             .iter()
             .rev()
             .fold(Transform::identity(), |pose, joint| pose.then(&joint.motion(axes)))
+    }
+
+    /// The motions that take a body on a link from where it is with all axes at zero to where it is relative to another
+    /// link, in the order in which they are applied.
+    #[must_use]
+    pub fn motions_relative_to(&self, reference: usize, link: usize) -> Vec<LinkJoint> {
+        let [own, of_reference] = self.sides_between(link, reference);
+        own.into_iter().rev().chain(of_reference.into_iter().map(LinkJoint::reversed)).collect()
     }
 
     /// The joints from the base to a link.

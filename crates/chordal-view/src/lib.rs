@@ -23,6 +23,7 @@ mod document;
 mod engagement;
 mod failure;
 mod frame;
+mod machine_bodies;
 mod modal;
 mod outbox;
 mod part_path;

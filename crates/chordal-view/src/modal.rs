@@ -2,7 +2,7 @@
 
 use chordal::control::{
     Command, CommandKind, CompensationSide, ConfiguredControl, Coolant, FeedMode, Overrides,
-    PathMode, SpindleState, Units, WorkName,
+    PathMode, ProgramOffsets, SpindleState, Units, WorkName,
 };
 use chordal::geometry::{ParamCurve, Plane, Vec3};
 use chordal::path::ProgramFrame;
@@ -176,6 +176,14 @@ impl ModalTrack {
             [0, 1, 2].map(|axis| base.known.has(axis).then(|| base.work[axis] + base.tool[axis]))
         });
         json!({ "zeros": zeros.collect::<Vec<_>>(), "machine": base })
+    }
+
+    /// What is added to positions of the axes in program coordinates at a path segment to get machine coordinates: work
+    /// offset and tool offset, mm and rad.
+    pub fn offsets_on(&self, row: u32) -> ProgramOffsets {
+        let reached = self.marks.partition_point(|mark| mark.after <= row);
+        // The first mark precedes everything.
+        self.marks[reached.saturating_sub(1)].modal.frame.offsets()
     }
 
     /// The modal state after `done` path segments, including the changes by following blocks without motion up to

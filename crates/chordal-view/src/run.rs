@@ -11,6 +11,7 @@ use serde_json::{Value, json};
 use crate::answer;
 use crate::cancel_token::CancelToken;
 use crate::columns::PathRows;
+use crate::machine_bodies::machine_bodies;
 use crate::modal::ModalTrack;
 use crate::outbox::PageOutbox;
 use crate::stream::{MAX_ROWS, PathStream};
@@ -63,6 +64,7 @@ pub fn run(
     message["rows"] = json!(sent);
     message["rows_left_out"] = json!(left_out);
     message["places"] = modal.places();
+    message["bodies"] = machine_bodies(job);
     message["end"] = end_of(&report.outcomes);
     let rows = u64::from(sent) + left_out;
     let about_s = report.summary.total_time_s();

@@ -3,11 +3,12 @@
 use std::collections::VecDeque;
 
 use chordal::Job;
+use chordal::control::ProgramOffsets;
 use chordal::geometry::Vec3;
 use chordal::machine::{AXES, PerAxis};
 use chordal::motion::{
     LimitError, MotionOptions, MotionSample, PlacedPartFrame, PlanSink, PlannerStep,
-    SetpointSampler, StepSource, StepSources,
+    SetpointSampler, StepKind, StepSource, StepSources,
 };
 use chordal_export::short_blocks_text;
 use serde_json::{Value, json};
@@ -16,6 +17,7 @@ use crate::answer;
 use crate::cancel_token::CancelToken;
 use crate::frame::ColumnFrame;
 use crate::part_path::PartKinematics;
+use crate::run::FinishedRun;
 
 /// The most setpoints that are sent. When there are more, every second one is dropped, repeatedly.
 const MAX_SETPOINTS: usize = 200_000;
@@ -26,16 +28,16 @@ const MAX_SAMPLES: u64 = 20_000_000;
 /// The shortest period, s.
 const MIN_PERIOD_S: f64 = 0.002;
 
-/// Plans a run and packs its motion; `None` when it was canceled. `about_s` is its duration without acceleration, s.
+/// Plans a run and packs its motion; `None` when it was canceled.
 ///
 /// # Errors A limit of an axis is not a positive number.
 pub fn times(
     number: u64,
     job: &Job,
-    about_s: f64,
+    run: &FinishedRun,
     cancel: &CancelToken,
 ) -> Result<Option<(Vec<u8>, Value)>, LimitError> {
-    let period_s = (about_s / (MAX_SETPOINTS as f64 / 2.0)).max(MIN_PERIOD_S);
+    let period_s = (run.about_s / (MAX_SETPOINTS as f64 / 2.0)).max(MIN_PERIOD_S);
     let period_s = if period_s.is_finite() { period_s } else { 1.0 };
     let mut sink = TimedSetpointSink {
         steps: VecDeque::new(),
@@ -51,6 +53,7 @@ pub fn times(
     let TimedSetpointSink { sampler, mut thinned, steps } = sink;
     let (total_s, cut_short) = (sampler.time_s(), sampler.is_exhausted());
     sampler.finish(|sample| thinned.take(sample, &steps));
+    thinned.begin_at_first_move();
     let mut message = answer::times(&timed.time);
     message["type"] = json!("times");
     message["run"] = json!(number);
@@ -59,6 +62,12 @@ pub fn times(
     message["cuts_without_feed"] = json!(timed.motion.cuts_without_feed);
     message["assumed"] = json!(timed.motion.limits.assumed.len());
     let mut frame = ColumnFrame::default();
+    if let Some(Ok(machine)) = job.machine_on_part() {
+        let axes = thinned.machine_axes(&timed.motion.part_frames, machine.run_zero, |row| {
+            run.modal.offsets_on(row)
+        });
+        frame.column("axes", &axes);
+    }
     let does_turn = thinned.turns.iter().any(|angle| *angle != 0.0);
     let kinematics = PartKinematics::of(&job.rotary_axes()).filter(|_| does_turn);
     match kinematics {
@@ -93,6 +102,8 @@ struct PlannedStep {
     row: u32,
     shift: PerAxis<f64>,
     part_frame: Option<u32>,
+    /// A wait before the first move, at a position that the planner does not know yet.
+    is_before_moves: bool,
 }
 
 /// The setpoints to send, thinned out.
@@ -107,6 +118,8 @@ struct ThinnedSetpoints {
     row: Vec<u32>,
     /// The frames of the part, by their index in the report.
     part_frames: Vec<Option<u32>>,
+    /// The number of setpoints before the first move.
+    before_moves: usize,
 }
 
 impl ThinnedSetpoints {
@@ -121,6 +134,9 @@ impl ThinnedSetpoints {
         let at = steps.partition_point(|step| step.number <= number);
         let planned = steps.get(at.saturating_sub(1));
         let (row, shift) = planned.map_or((0, [0.0; AXES]), |planned| (planned.row, planned.shift));
+        if planned.is_some_and(|planned| planned.is_before_moves) {
+            self.before_moves = self.row.len() + 1;
+        }
         self.part_frames.push(planned.and_then(|planned| planned.part_frame));
         self.places.extend((0..3).map(|axis| (sample.position[axis] - shift[axis]) as f32));
         let turn = |axis: usize| (sample.position[axis] - shift[axis]) as f32;
@@ -129,6 +145,20 @@ impl ThinnedSetpoints {
         self.row.push(row);
         if self.row.len() >= MAX_SETPOINTS {
             self.thin_out();
+        }
+    }
+
+    /// Until the first move the axes are where it begins.
+    fn begin_at_first_move(&mut self) {
+        let first = self.before_moves;
+        if first >= self.row.len() {
+            return;
+        }
+        let frame = self.part_frames[first];
+        self.part_frames[..first].fill(frame);
+        for at in 0..first {
+            self.places.copy_within(3 * first..3 * first + 3, 3 * at);
+            self.turns.copy_within(3 * first..3 * first + 3, 3 * at);
         }
     }
 
@@ -141,6 +171,33 @@ impl ThinnedSetpoints {
             on_part.to_array().map(|mm| mm as f32)
         });
         placed.collect()
+    }
+
+    /// The positions of all axes in machine coordinates, six numbers each, mm and rad. `run_zero` is the zero of the run
+    /// on the machine, `offsets` gives those in force on a row.
+    fn machine_axes(
+        &self,
+        frames: &[PlacedPartFrame],
+        run_zero: Vec3,
+        offsets: impl Fn(u32) -> ProgramOffsets,
+    ) -> Vec<f32> {
+        let run_zero = run_zero.to_array();
+        let (positions, turns) = (self.places.as_chunks::<3>().0, self.turns.as_chunks::<3>().0);
+        let mut axes = Vec::with_capacity(AXES * self.row.len());
+        for (at, (position, angles)) in positions.iter().zip(turns).enumerate() {
+            let part_frame = self.part_frames[at].and_then(|index| frames.get(index as usize));
+            let in_force = part_frame.map_or_else(|| offsets(self.row[at]), |own| own.offsets);
+            for axis in 0..AXES {
+                // Without a frame of the part X, Y and Z are in the frame of the run.
+                let work = match axis {
+                    0..3 if part_frame.is_none() => run_zero[axis],
+                    _ => in_force.work[axis],
+                };
+                let value = if axis < 3 { position[axis] } else { angles[axis - 3] };
+                axes.push((f64::from(value) + work + in_force.tool[axis]) as f32);
+            }
+        }
+        axes
     }
 
     /// Makes the setpoints in frames of the part those of the tip: the programmed positions, which replace those of the
@@ -182,6 +239,7 @@ impl ThinnedSetpoints {
             self.places.copy_within(6 * at..6 * at + 3, 3 * at);
             self.turns.copy_within(6 * at..6 * at + 3, 3 * at);
         }
+        self.before_moves = self.before_moves.div_ceil(2);
         self.row.truncate(halves);
         self.part_frames.truncate(halves);
         self.speed.truncate(halves);
@@ -202,8 +260,15 @@ impl PlanSink for TimedSetpointSink {
         // The index of a path segment is the row in the sent columns.
         let row = u32::try_from(source.piece).unwrap_or(u32::MAX);
         let number = StepSource::number_of(source.tag);
-        let (shift, part_frame) = (source.shift, source.part_frame);
-        self.steps.push_back(PlannedStep { number, row, shift, part_frame });
+        let part_frame = match source.kind {
+            StepKind::Move(_) => source.part_frame,
+            // The tip stays where the last move has brought it.
+            StepKind::Wait(_) => self.steps.back().and_then(|step| step.part_frame),
+        };
+        let is_before_moves = matches!(source.kind, StepKind::Wait(_))
+            && self.steps.back().is_none_or(|step| step.is_before_moves);
+        let shift = source.shift;
+        self.steps.push_back(PlannedStep { number, row, shift, part_frame, is_before_moves });
     }
 
     fn step(&mut self, step: PlannerStep<'_>, sources: &StepSources) {
@@ -216,5 +281,32 @@ impl PlanSink for TimedSetpointSink {
         let most = 2 * sources.len() + 100_000;
         let passed = steps.len().saturating_sub(most);
         steps.drain(..passed);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn axes_on_the_machine_are_those_of_the_gauge_point() {
+        let setpoints = ThinnedSetpoints {
+            places: vec![10.0, 20.0, 30.0],
+            turns: vec![0.0, 0.0, 1.0],
+            row: vec![7],
+            part_frames: vec![None],
+            ..ThinnedSetpoints::default()
+        };
+        // The work offset in force is another one than that of the run, to which the positions belong.
+        let offsets = |row| {
+            assert_eq!(row, 7);
+            ProgramOffsets {
+                work: [-1.0, -2.0, -3.0, 0.0, 0.0, 0.5],
+                tool: [0.0, 0.0, 100.0, 0.0, 0.0, 0.0],
+            }
+        };
+        let run_zero = Vec3::new(-300.0, -200.0, -350.0);
+        let axes = setpoints.machine_axes(&[], run_zero, offsets);
+        assert_eq!(axes, [-290.0, -180.0, -220.0, 0.0, 0.0, 1.5]);
     }
 }

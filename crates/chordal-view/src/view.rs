@@ -579,7 +579,7 @@ impl ProgramView {
             self.state().finished_run.clone().filter(|finished| finished.number == number);
         let Some(finished) = finished.filter(|_| cancel.is_current()) else { return };
         let job = finished.program.job().interrupt(cancel.interrupt());
-        match times::times(number, &job, finished.about_s, &cancel) {
+        match times::times(number, &job, &finished, &cancel) {
             Ok(Some((frame, reply))) => {
                 self.out.binary(frame);
                 self.out.json(&reply);

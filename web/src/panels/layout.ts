@@ -119,6 +119,10 @@ export function layout(root: HTMLElement) {
   const [travelLabel, travel] = check("Travel", false);
   travel.id = "travel";
   travelLabel.title = "The space that the machine can reach";
+  const [machineOnLabel, machineOn] = check("Machine", false);
+  machineOn.id = "machine-bodies";
+  machineOnLabel.title = "The bodies of the machine file, at the time of the slider";
+  machineOnLabel.hidden = true;
   rapidsLabel.title = "Rapid moves";
   toolLabel.title = "The tool at the time of the slider, or at the line of the cursor";
   const [chordsLabel, chordsOn] = check("Chords", false);
@@ -161,7 +165,7 @@ export function layout(root: HTMLElement) {
   measure.setAttribute("aria-pressed", "false");
   const section = sectionControls((chosen) => api.onSection(chosen), () => api.cursorLine());
   const stockSlot = element("span", "stock-slot");
-  bar.append(...views, fit, color, rapidsLabel, toolLabel, travelLabel, measure, section.root, stockSlot, chordsLabel, chordControls);
+  bar.append(...views, fit, color, rapidsLabel, toolLabel, travelLabel, machineOnLabel, measure, section.root, stockSlot, chordsLabel, chordControls);
 
   const left = element("section", "left");
   left.setAttribute("aria-label", "Program");
@@ -294,7 +298,7 @@ export function layout(root: HTMLElement) {
   /** The machine that was chosen as a reading, which the list may lack. */
   let machineOfReading: MachineChoice | undefined;
   const api = {
-    header, save, machine, readings, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, toolOn, chordsOn, balanced,
+    header, save, machine, readings, measure, section, stockSlot, canvas, axes, code, timeline, panels, paths, rapids, travel, machineOn, toolOn, chordsOn, balanced,
     onView: (_view: ViewName) => {},
     onFit: () => {},
     onColor: (_by: ColorBy) => {},
@@ -314,7 +318,11 @@ export function layout(root: HTMLElement) {
       showChordControls();
     },
     setChordText: (text: string) => (chordText.textContent = text),
-    /** Shows why there is no travel box; empty where it is shown or switched off. */
+    /** Offers to show the bodies of the machine, where its file has some. */
+    offerMachine(offered: boolean): void {
+      machineOnLabel.hidden = !offered;
+    },
+    /** Shows why the travel box or bodies of the machine are missing; empty where they are shown or switched off. */
     setTravelHint(text: string): void {
       setCodeSpans(travelWhy, text);
       travelWhy.hidden = text === "";

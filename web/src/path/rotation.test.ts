@@ -1,7 +1,7 @@
-import { expect, test } from "vitest";
-import type { RotaryAxis, ToolRotation } from "../protocol/messages";
+import { describe, expect, test } from "vitest";
+import type { AxisMotion, RotaryAxis, ToolRotation } from "../protocol/messages";
 import { curvePoint } from "./arcs";
-import { toolDirection, unknownRotaryHint } from "./rotation";
+import { bodyPose, toolDirection, unknownRotaryHint } from "./rotation";
 
 const none = (letter: string): RotaryAxis => ({ letter, turns: null });
 const near = (found: ArrayLike<number>, expected: number[]) =>
@@ -32,4 +32,30 @@ test("an axis of which nothing is known is reported where the program moves it",
   const moved = (letter: string) => ({ letter, range: [0, 90] as [number, number] });
   expect(unknownRotaryHint([moved("X"), moved("A"), moved("B")], rotary)).toMatch(/^What A turns is not known/);
   expect(unknownRotaryHint([moved("B"), { letter: "C", range: [0, 0] }], rotary)).toBe("");
+});
+
+describe("a body that axes move", () => {
+  const at = (motions: AxisMotion[], axes: number[], [x, y, z]: [number, number, number]) => {
+    const pose = bodyPose(motions, axes);
+    return [0, 1, 2].map((row) => pose[row]! * x + pose[4 + row]! * y + pose[8 + row]! * z + pose[12 + row]!);
+  };
+
+  test("stands where no axis moves it", () => near(at([], [], [1, 2, 3]), [1, 2, 3]));
+
+  test("turns about lines in the order of its motions", () => {
+    // A spindle over a trunnion: shifted by X, Y and Z, then turned by A about a line 50 below zero, then by C.
+    const motions: AxisMotion[] = [
+      { axis: 0, along: [1, 0, 0] },
+      { axis: 1, along: [0, 1, 0] },
+      { axis: 2, along: [0, 0, 1] },
+      { axis: 3, about: [1, 0, 0], through: [0, 0, -50] },
+      { axis: 5, about: [0, 0, 1], through: [0, 0, 0] },
+    ];
+    near(at(motions, [50, 20, 150, QUARTER, 0, QUARTER], [0, 0, 0]), [200, 50, -30]);
+    near(at(motions, [50, 20, 150, QUARTER, 0, QUARTER], [0, 0, 100]), [300, 50, -30]);
+  });
+
+  test("moves against an axis that moves the part", () => {
+    near(at([{ axis: 1, along: [0, -1, 0] }, { axis: 5, about: [0, 0, -1], through: [10, 0, 0] }], [0, 4, 0, 0, 0, QUARTER], [10, 0, 0]), [6, 0, 0]);
+  });
 });

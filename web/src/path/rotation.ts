@@ -1,6 +1,6 @@
 // The direction of the tool relative to the part where rotary axes turn one of them. Positions come from the server relative to the part.
 
-import type { RotaryAxis, ToolRotation } from "../protocol/messages";
+import type { AxisMotion, RotaryAxis, ToolRotation } from "../protocol/messages";
 import type { Vec3 } from "./batch";
 
 /** The direction of a tool relative to the part, from its direction on the machine and A, B and C, rad. */
@@ -17,6 +17,28 @@ function rotated(v: Vec3, k: Vec3, angle: number): Vec3 {
     v[1] * c + (k[2] * v[0] - k[0] * v[2]) * s + k[1] * along,
     v[2] * c + (k[0] * v[1] - k[1] * v[0]) * s + k[2] * along,
   ];
+}
+
+/** The pose of a body that axes move, at their positions, mm and rad: sixteen numbers, column by column. */
+export function bodyPose(motions: readonly AxisMotion[], positions: ArrayLike<number>): number[] {
+  const place = (point: Vec3) => motions.reduce((at, motion) => moved(at, motion, positions[motion.axis]!), point);
+  const zero = place([0, 0, 0]);
+  const columns = ([[1, 0, 0], [0, 1, 0], [0, 0, 1]] as Vec3[]).map((unit) => [...difference(place(unit), zero), 0]);
+  return [...columns.flat(), ...zero, 1];
+}
+
+/** A point after the motion of an axis that is at a position. */
+function moved(point: Vec3, motion: AxisMotion, position: number): Vec3 {
+  if ("along" in motion) return sum(point, motion.along.map((part) => part * position) as Vec3);
+  return sum(rotated(difference(point, motion.through), motion.about, position), motion.through);
+}
+
+function sum(one: Vec3, other: Vec3): Vec3 {
+  return [one[0] + other[0], one[1] + other[1], one[2] + other[2]];
+}
+
+function difference(one: Vec3, other: Vec3): Vec3 {
+  return [one[0] - other[0], one[1] - other[1], one[2] - other[2]];
 }
 
 /** The hint about rotary axes that the program moves and the machine file does not describe; empty where there are none. */

@@ -10,6 +10,8 @@ export interface Setpoints {
   programmed?: Float32Array | undefined;
   /** A, B and C, rad, three numbers each; undefined where all of them are zero. */
   rotaryAngles?: Float32Array | undefined;
+  /** The positions of all axes on the machine, mm and rad, six numbers each; undefined where the machine has no bodies. */
+  machineAxes?: Float32Array | undefined;
   /** mm/min. */
   speed: Float32Array;
   /** The row of the path that each setpoint is on, ascending. */
@@ -30,14 +32,28 @@ export interface SetpointMoment {
   row: number;
 }
 
-/** The motion at a time, interpolated linearly between setpoints; undefined where there are none. */
-export function momentAt(setpoints: Setpoints, seconds: number): SetpointMoment | undefined {
+/** The setpoints before and after a time, and how far it is between them; undefined where there are none. */
+function between(setpoints: Setpoints, seconds: number): { index: number; next: number; fraction: number } | undefined {
   const last = setpoints.row.length - 1;
   if (last < 0) return undefined;
   const exact = Math.min(last, Math.max(0, seconds / setpoints.periodS));
   const index = Math.min(last, Math.floor(exact));
-  const next = Math.min(last, index + 1);
-  const fraction = exact - index;
+  return { index, next: Math.min(last, index + 1), fraction: exact - index };
+}
+
+/** The positions of all axes on the machine at a time, mm and rad; undefined where they are not sent. */
+export function machineAxesAt(setpoints: Setpoints, seconds: number): number[] | undefined {
+  const [axes, found] = [setpoints.machineAxes, between(setpoints, seconds)];
+  if (!axes || !found) return undefined;
+  const [from, to] = [found.index, found.next].map((index) => axes.subarray(6 * index, 6 * index + 6));
+  return Array.from(from!, (value, axis) => value + (to![axis]! - value) * found.fraction);
+}
+
+/** The motion at a time, interpolated linearly between setpoints; undefined where there are none. */
+export function momentAt(setpoints: Setpoints, seconds: number): SetpointMoment | undefined {
+  const found = between(setpoints, seconds);
+  if (!found) return undefined;
+  const { index, next, fraction } = found;
   const lerp = (from: number, to: number) => from + (to - from) * fraction;
   const component = (values: Float32Array, axis: number) => lerp(values[3 * index + axis]!, values[3 * next + axis]!);
   const vector = (values: Float32Array): Vec3 => [component(values, 0), component(values, 1), component(values, 2)];

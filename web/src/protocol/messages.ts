@@ -15,6 +15,26 @@ export interface ToolRotation {
   about: [number, number, number];
 }
 
+/** What the position of an axis (0 to 5 for X, Y, Z, A, B, C; mm or rad) does to a body: a shift along a vector, or a turn about a line by the right-hand rule. */
+export type AxisMotion =
+  | { axis: number; along: [number, number, number] }
+  | { axis: number; about: [number, number, number]; through: [number, number, number] };
+
+/** The bodies of the machine file. */
+export interface MachineBodies {
+  solids: {
+    name: string;
+    /** The corners of its triangles, nine numbers each, machine coordinates with all axes at zero, mm. */
+    corners: number[];
+    /** Applied in this order, they take it to its place relative to the part. */
+    motions: AxisMotion[];
+  }[];
+  /** From machine coordinates to the frame of the run, after the motions: sixteen numbers, column by column; null where that is not known. */
+  to_part: number[] | null;
+  /** Why bodies are left out. */
+  left_out: string[];
+}
+
 export interface SourcePlace {
   file: string;
   /** Whether it is in the program itself. */
@@ -124,6 +144,8 @@ export interface RunReport {
     zeros: { name: string; at: [number, number, number] }[];
     machine: (number | null)[] | null;
   };
+  /** null where the machine file has none. */
+  bodies: MachineBodies | null;
   end: { end: string; blocks: number }[];
 }
 

@@ -7,7 +7,7 @@ import type { Timeline } from "../panels/timeline";
 import type { Vec3 } from "../path/batch";
 import { type PlaybackState, type PlaybackTarget, rowsDoneAt, playbackStateOf } from "../path/playback-state";
 import { toolDirection } from "../path/rotation";
-import { stepRow } from "../path/setpoints";
+import { machineAxesAt, stepRow } from "../path/setpoints";
 import type { latheStock } from "../stock/lathe-stock";
 import type { millStock } from "../stock/mill-stock";
 import type { PathView } from "../view/path-view";
@@ -112,7 +112,7 @@ export class PlaybackController {
     this.showMarks(target, deferText);
   }
 
-  /** Draws the tool, or hides it where the position is unknown, the tool is switched off, or the view of the lathe stock draws it. */
+  /** Draws the tool and the machine, or hides them where the position is unknown, and the tool where the tool is switched off, or the view of the lathe stock draws it. */
   showTool(): void {
     const { run, ui, view, latheStock } = this.parts;
     const { row, rotaryAngles } = this.state;
@@ -121,6 +121,8 @@ export class PlaybackController {
     this.updateToolShape(number);
     const up = toolDirection(run.machine?.tool_rotations ?? [], this.pointsAlongX(number) ? [1, 0, 0] : [0, 0, 1], rotaryAngles);
     const position = ui.toolOn.checked && run.path.bounds ? this.state.position : undefined;
+    const isKnown = this.state.position !== undefined && this.state.seconds !== undefined;
+    view.machine.place(isKnown && run.setpoints ? machineAxesAt(run.setpoints, this.state.seconds!) : undefined);
     view.placeTool(latheStock.placeTool(number, position) ? undefined : position, up);
   }
 

@@ -170,6 +170,7 @@ export class Session {
     ui.onChords = () => this.requestChords();
     ui.rapids.addEventListener("change", () => view.showRapids(ui.rapids.checked));
     ui.travel.addEventListener("change", () => this.showTravel());
+    ui.machineOn.addEventListener("change", () => this.showTravel());
     ui.toolOn.addEventListener("change", () => this.playback.showTool());
     ui.onSection = (section) => view.setSection(section);
     ui.cursorLine = () => editor.line;
@@ -395,6 +396,8 @@ export class Session {
     void view.finish();
     const { zeros, machine: at } = report.places;
     view.setFixed(zeros.map((zero) => zero.at), travelBox(run.machine, at));
+    view.machine.set(report.bodies, view.origin);
+    ui.offerMachine(report.bodies !== null);
     this.showTravel();
     ui.offerPower(path.minPower < path.maxPower);
     this.showColors();
@@ -434,12 +437,15 @@ export class Session {
     return "The program does not move any axis.";
   }
 
-  /** Shows the travel box of the machine where it is switched on, or why it cannot be shown. */
+  /** Shows the travel box and the bodies of the machine where they are switched on, or why they cannot be shown. */
   private showTravel(): void {
     const { checked } = this.ui.travel;
     const { report, machine } = this.run;
     this.view.showTravel(checked);
-    this.ui.setTravelHint(checked && report && machine ? whyNoTravel(machine, report.places.machine) : "");
+    this.view.machine.show(this.ui.machineOn.checked);
+    const whyNoBodies = this.ui.machineOn.checked ? (report?.bodies?.left_out ?? []).map((reason) => `Not shown of the machine: ${reason}.`) : [];
+    const whyNoBox = checked && report && machine ? whyNoTravel(machine, report.places.machine) : "";
+    this.ui.setTravelHint([whyNoBox, ...whyNoBodies].filter(Boolean).join(" "));
   }
 
   private showProblems(): void {

@@ -61,6 +61,7 @@ export class ShownRun {
       positions: f32(frame, "places"),
       programmed: optional("programmed"),
       rotaryAngles: optional("turns"),
+      machineAxes: optional("axes"),
       speed: f32(frame, "speed"),
       row: u32(frame, "row"),
       periodS: Number(frame.header.period_s),

@@ -22,8 +22,8 @@ import { type Palette, toolColor } from "../view/colors";
 import { yieldToEventLoop } from "../view/event-loop";
 import { gpuFinished } from "../view/gpu-fence";
 import type { Underlay } from "../view/painter";
+import { ShadedMesh } from "../view/shaded-mesh";
 import { CoarseSurface } from "./coarse-surface";
-import { FixtureMesh } from "./fixtures";
 import { GapMesh } from "./gap-mesh";
 import type { Gaps } from "./gaps";
 import { PartMesh } from "./part-mesh";
@@ -80,7 +80,7 @@ export class StockLayer {
   private by: StockColor = "tool";
   /** What has changed and is not drawn yet. */
   private pending: TouchedBox | undefined;
-  private fixtures = new FixtureMesh();
+  private fixtures = new ShadedMesh();
   /** The part at the end of the program, where heights cannot show it. */
   private part: PartMesh | undefined;
   /** The end of the program is shown. */
@@ -110,7 +110,7 @@ export class StockLayer {
     this.gaps = undefined;
     this.surface = stock && new StockSurface(stock);
     if (this.surface) this.build(this.surface);
-    this.fixtures.set(stock?.fixtures, this.palette);
+    this.fixtures.set(stock?.fixtures, this.palette.fixture);
     this.setOrigin(origin);
     this.updateMaterial();
     this.changed();
@@ -190,7 +190,7 @@ export class StockLayer {
 
   setPalette(palette: Palette): void {
     this.palette = palette;
-    this.fixtures.setPalette(palette);
+    this.fixtures.setColor(palette.fixture);
     this.updateMaterial();
     this.changed();
   }

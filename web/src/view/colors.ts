@@ -24,6 +24,8 @@ export interface Palette {
   /** Stock that is not cut yet. */
   stock: string;
   fixture: string;
+  /** Bodies of the machine, which are translucent. */
+  machine: string;
   /** The section where the stock is cut open. */
   inside: string;
   /** Deviation from the target, from far below to far above; the middle is within the tolerance. */
@@ -50,6 +52,7 @@ export const LIGHT: Palette = {
   toolShape: "#5b6672",
   stock: "#c9ced4",
   fixture: "#8aa0b4",
+  machine: "#8aa0b4",
   inside: "#e9c46a",
   deviation: ["#b00020", "#ef6a5a", "#b9c2b4", "#5aa2e0", "#0b4fa8"],
 };
@@ -68,6 +71,7 @@ export const DARK: Palette = {
   toolShape: "#c8d2dc",
   stock: "#8f989f",
   fixture: "#4d6478",
+  machine: "#b4c8dc",
   inside: "#b8923a",
   deviation: ["#ff4d5e", "#f08a7a", "#7d8a80", "#6fb0ea", "#3a86ff"],
 };

@@ -59,6 +59,8 @@ export class Painter {
   readonly pace: FramePace;
   /** The stock, which is drawn under everything; undefined where there is none. */
   underlay: () => Underlay | undefined = () => undefined;
+  /** Whether faces are drawn in `over` that may fill the picture. */
+  hasFaces: () => boolean = () => false;
   /** Lines of the last frame, including those of the picture. */
   drawnLines = 0;
   /** Whether an incomplete picture is shown. */
@@ -190,11 +192,11 @@ export class Painter {
     }
   }
 
-  /** Without a graphics card, a frame with stock is antialiased only when the stock is complete and nothing moves. */
+  /** Without a graphics card, a frame with stock or faces is antialiased only when the stock is complete and nothing moves. */
   private skipsAntialiasing(): boolean {
     window.clearTimeout(this.antialiasTimer);
     const underlay = this.underlay();
-    if (!this.isSoftware || !underlay) return false;
+    if (!this.isSoftware || !(underlay || this.hasFaces())) return false;
     if (typeof underlay === "function") return true;
     if (!this.isBusy) return false;
     this.antialiasTimer = window.setTimeout(this.requestFrame, BUSY_MS + 1);

@@ -30,6 +30,7 @@ import { yieldToEventLoop } from "./event-loop";
 import { type ViewEdges, ViewExtent, difference, longestSide } from "./extent";
 import { FixedObjects } from "./fixed-objects";
 import { clearGroup, lineGeometry } from "./line-mesh";
+import { MachineLayer } from "./machine-layer";
 import { Painter } from "./painter";
 import { type PickedPoint, pick } from "./picking";
 import { PathProgress } from "./progress";
@@ -72,6 +73,7 @@ export class PathView {
   private chordMaterial = new LineBasicMaterial({ depthTest: false });
   private tool: ToolShape;
   readonly stock: StockLayer;
+  readonly machine: MachineLayer;
   /** The half section of a lathe. */
   readonly lathe: HalfSectionLayer;
   /** The size of the picture, CSS pixels. */
@@ -106,13 +108,15 @@ export class PathView {
     this.painter = new Painter(canvas, this.camera.camera, this.drawn.cuts, this.drawn.levels, () => this.render());
     this.drawn.attach(this.painter);
     this.stock = new StockLayer(palette, this.painter.isSoftware, () => this.render());
+    this.machine = new MachineLayer(palette, () => this.render());
     this.lathe = new HalfSectionLayer(palette, () => this.render());
     canvas.after(this.lathe.over);
     this.painter.underlay = () => this.lathe.underlay ?? this.stock.underlay;
+    this.painter.hasFaces = () => this.machine.object.visible;
     this.tool = new ToolShape(palette);
     this.painter.extras.add(this.contour, this.chords, this.other.object);
     this.painter.own.add(this.differences.own.object);
-    this.painter.over.add(this.fixed.object, this.differences.dots, this.mark.object, this.other.over, this.measured.object, this.tool.object);
+    this.painter.over.add(this.machine.object, this.fixed.object, this.differences.dots, this.mark.object, this.other.over, this.measured.object, this.tool.object);
     this.setPalette(palette);
     this.setView("iso");
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
@@ -185,6 +189,7 @@ export class PathView {
     this.measured.setColor(palette.measure);
     this.tool.setPalette(palette);
     this.stock.setPalette(palette);
+    this.machine.setPalette(palette);
     this.lathe.setPalette(palette);
     void this.drawn.recolor();
     this.changed();

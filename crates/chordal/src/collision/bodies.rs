@@ -68,15 +68,13 @@ pub(super) fn meaning(
     })
 }
 
-/// The bodies of the machine file.
+/// The bodies of the machine file; for one whose place or shape is not known the reason.
 pub(super) fn machine_bodies(
     machine: &Machine,
     links: &MachineLinks,
-    doubts: &mut CollisionDoubts,
-) -> Vec<MachineBody> {
+) -> Vec<Result<MachineBody, String>> {
     let sides_known = machine.linear.sides.iter().all(Option::is_some);
-    let mut bodies = Vec::new();
-    for (name, own) in &machine.solids {
+    let body = |(name, own): (&String, &MachineSolid)| {
         let link = match own.on {
             None => Err(format!("`solids.{name}.on` is not given")),
             Some(SolidLink::Spindle) => Ok(links.tool()),
@@ -96,23 +94,16 @@ pub(super) fn machine_bodies(
             )),
             link => link,
         };
-        match link.and_then(|link| Ok((link, machine_solid(name, own)?))) {
-            Ok((link, solid)) => bodies.push(MachineBody {
-                role: BodyRole::Machine,
-                name: name.clone(),
-                title: format!("`{name}`"),
-                linked: LinkedSolid::new(link, solid),
-                is_larger: false,
-                may_touch: own.may_touch.clone(),
-            }),
-            Err(reason) => doubts.add(
-                Span::default(),
-                format!("{reason}, so that body is not checked"),
-                "complete the machine file",
-            ),
-        }
-    }
-    bodies
+        Ok(MachineBody {
+            role: BodyRole::Machine,
+            name: name.clone(),
+            title: format!("`{name}`"),
+            linked: LinkedSolid::new(link?, machine_solid(name, own)?),
+            is_larger: false,
+            may_touch: own.may_touch.clone(),
+        })
+    };
+    machine.solids.iter().map(body).collect()
 }
 
 fn machine_solid(name: &str, own: &MachineSolid) -> Result<ConvexSolid, String> {
@@ -225,14 +216,22 @@ fn setup_solid(body: &Body, bounds: Aabb) -> Option<(ConvexSolid, bool)> {
 fn place_of(job: &Job<'_>, chain: &KinematicChain, body: &Body) -> Option<Transform> {
     let machine = job.machine();
     let run_frame = job.run_frame();
-    let offset = |axis: usize| match body.work_offset.as_deref() {
+    placed_by(chain, |axis| match body.work_offset.as_deref() {
         None => run_frame.as_ref()?.offset(axis),
         Some(name) => {
             let own = machine.work_offsets.get(name)?.values[axis]?;
             let shared = machine.work_offsets.get("EXT").and_then(|all| all.values[axis]);
             Some(own + shared.unwrap_or(0.0))
         }
-    };
+    })
+}
+
+/// From the coordinates of a work offset to machine coordinates with every axis at zero; `None` where X, Y or Z of it is not
+/// known.
+pub(super) fn placed_by(
+    chain: &KinematicChain,
+    offset: impl Fn(usize) -> Option<f64>,
+) -> Option<Transform> {
     let shift = Vec3::new(offset(0)?, offset(1)?, offset(2)?);
     // The body lies as the work offset says, with the tables at the angles of the work offset.
     let angles = [3, 4, 5].map(|axis| offset(axis).unwrap_or(0.0));

@@ -6,9 +6,12 @@
 mod bodies;
 mod doubts;
 mod moves;
+mod on_part;
 mod problems;
 mod report;
 mod run;
 
+pub use chordal_collision::LinkJoint;
+pub use on_part::{MachineOnPart, PartRelativeBody};
 pub use report::{CollisionProblem, CollisionReport, CollisionVerdict};
 pub use run::{CollisionError, CollisionOptions};

@@ -119,7 +119,16 @@ impl Job<'_> {
         let links = self.machine_links(&chain);
         let mut bodies = Vec::new();
         if is_known {
-            bodies = machine_bodies(self.machine(), &links, &mut doubts);
+            for body in machine_bodies(self.machine(), &links) {
+                match body {
+                    Ok(body) => bodies.push(body),
+                    Err(reason) => doubts.add(
+                        Span::default(),
+                        format!("{reason}, so that body is not checked"),
+                        "complete the machine file",
+                    ),
+                }
+            }
             bodies.extend(setup_bodies(self, &links, &chain, files, &mut doubts)?);
         }
         let mut run = CollisionRun {
@@ -158,7 +167,7 @@ impl Job<'_> {
         Ok(run.finish(report))
     }
 
-    fn machine_links(&self, chain: &KinematicChain) -> MachineLinks {
+    pub(super) fn machine_links(&self, chain: &KinematicChain) -> MachineLinks {
         let linear = &self.machine().linear;
         // What is not given does not matter between part and tool; bodies on the base are left out then.
         let sides = linear.sides.map(|side| match side {

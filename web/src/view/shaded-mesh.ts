@@ -1,25 +1,31 @@
-// Fixtures: triangles that are drawn with the stock.
+// Triangles with flat shading and their edges: fixtures, and bodies of the machine.
 
-import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Vector3 } from "three";
-import type { Palette } from "../view/colors";
+import { BufferAttribute, BufferGeometry, Color, DoubleSide, EdgesGeometry, FrontSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, Vector3 } from "three";
 
 /** Edges are drawn between faces whose normals differ by more than this, degrees. */
 const EDGE_ANGLE_DEGREES = 20;
 /** To the light; the shaders of the stock have the same. */
 const LIGHT_DIRECTION = new Vector3(-0.35, -0.55, 0.9).normalize();
 
-export class FixtureMesh {
+export class ShadedMesh {
   readonly object = new Group();
   private faces = new MeshBasicMaterial({ vertexColors: true, side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
   private lines = new LineBasicMaterial();
   private mesh: Mesh<BufferGeometry> | undefined;
+
+  /** With an opacity below 1, what is inside and on the far side is seen through the faces, which then need their corners counter-clockwise seen from outside. */
+  constructor(opacity = 1) {
+    if (opacity === 1) return;
+    Object.assign(this.faces, { transparent: true, opacity, depthWrite: false, side: FrontSide });
+    Object.assign(this.lines, { transparent: true, opacity: Math.min(1, 2 * opacity) });
+  }
 
   get isEmpty(): boolean {
     return this.mesh === undefined;
   }
 
   /** Sets the triangles, nine numbers each, mm in the frame of the run; undefined for none. */
-  set(corners: Float32Array | undefined, palette: Palette): void {
+  set(corners: Float32Array | undefined, color: string): void {
     for (const child of [...this.object.children]) {
       (child as Mesh | LineSegments).geometry.dispose();
       child.removeFromParent();
@@ -35,11 +41,11 @@ export class FixtureMesh {
       object.frustumCulled = false;
       this.object.add(object);
     }
-    this.setPalette(palette);
+    this.setColor(color);
   }
 
-  setPalette(palette: Palette): void {
-    const base = new Color(palette.fixture);
+  setColor(of: string): void {
+    const base = new Color(of);
     this.lines.color.copy(base).multiplyScalar(0.6);
     if (!this.mesh) return;
     const { position, color } = this.mesh.geometry.attributes as { position: BufferAttribute; color: BufferAttribute };
