@@ -32,12 +32,6 @@ const MAX_REFUSED_MOVES: usize = 20;
 /// jump of the coordinates.
 const COINCIDENT_END: f64 = 1e-7;
 
-/// A tip that goes less than this share of what the axes go rests: distances along its path would be too small a measure.
-const LEAST_TIP_SHARE: f64 = 1e-3;
-
-/// The radius at which turns of rotary axes count as distances there, mm.
-const RADIUS_OF_TURNS_MM: f64 = 100.0;
-
 /// A move that waits for the next one, which decides about the corner between them. It is large, and is therefore
 /// passed on by reference.
 struct PendingMove {
@@ -300,14 +294,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
             SegmentKind::Rapid => MoveKind::Rapid,
             _ => MoveKind::Cut,
         };
-        let path_length = end.tip_length_mm.filter(|tip| {
-            let turn: [f64; 3] =
-                std::array::from_fn(|axis| segment.rotary_to[axis] - segment.rotary_from[axis]);
-            let axes_mm = segment.length_mm
-                + RADIUS_OF_TURNS_MM * turn.iter().map(|angle| angle.abs()).sum::<f64>();
-            let is_even = matches!(segment.curve, Curve::Line(_));
-            is_even && turn != [0.0; 3] && *tip > LEAST_TIP_SHARE * axes_mm
-        });
+        let path_length = end.tip_length_mm.and_then(|tip| tip_moves::path_length(segment, tip));
         let mut motion = MoveRequest {
             curve: segment.curve,
             rotary_from: segment.rotary_from,

@@ -1,12 +1,29 @@
 //! Moves in a frame of the part: the tip follows the path, and the axes are planned.
 
 use chordal_command::Command;
-use chordal_geometry::ParamCurve;
+use chordal_geometry::{Curve, ParamCurve};
 use chordal_path::{Segment, axis_pieces, tip_pieces};
 
 use super::MotionBuilder;
 use crate::motion::corner::PieceEnd;
 use crate::motion::{MotionSink, PlacedPartFrame};
+
+/// A tip that goes less than this share of what the axes go rests: distances along its path would be too small a measure.
+const LEAST_TIP_SHARE: f64 = 1e-3;
+
+/// The radius at which turns of rotary axes count as distances there, mm.
+const RADIUS_OF_TURNS_MM: f64 = 100.0;
+
+/// The length of the tip's path, mm, along which a move of the axes is measured while rotary axes turn; `None` where that of
+/// the axes' own path is the better measure.
+pub(super) fn path_length(segment: &Segment, tip_mm: f64) -> Option<f64> {
+    let turns =
+        segment.rotary_from.iter().zip(&segment.rotary_to).map(|(from, to)| (to - from).abs());
+    let turn: f64 = turns.sum();
+    let axes_mm = segment.length_mm + RADIUS_OF_TURNS_MM * turn;
+    let is_measure = turn > 0.0 && tip_mm > LEAST_TIP_SHARE * axes_mm;
+    (is_measure && matches!(segment.curve, Curve::Line(_))).then_some(tip_mm)
+}
 
 impl<S: MotionSink> MotionBuilder<'_, S> {
     /// Makes steps of the axes while the tip follows the path segments. Returns false where the kinematics are not known.
