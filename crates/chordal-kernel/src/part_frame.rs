@@ -137,8 +137,11 @@ impl Kernel<'_> {
 
     /// The rotary axes that turn the tool or the part, as far as the machine file gives them.
     pub fn rotary_axes(&self) -> AxisMask {
+        // That of a frame is at hand; to make it from the machine file takes time.
+        let of_frame = self.state.part_frame.as_ref().and_then(|frame| frame.chain);
+        let chain = of_frame.filter(|chain| !chain.joints().is_empty());
+        let chain = chain.or_else(|| self.rotary_chain().ok());
         let mut axes = AxisMask::NONE;
-        let chain = self.rotary_chain().ok();
         let joints = chain.iter().flat_map(|chain| chain.joints());
         joints.for_each(|joint| axes.insert(joint.letter.index() + 3));
         axes
