@@ -38,11 +38,17 @@ pub(super) fn compared_axes(
     (has_tip && !keeps).then_some(ComparedAxes { chain: chains[1], tolerance_mm })
 }
 
+/// The lines that switch the kinematics of a LinuxCNC to the axes, and wait until they are switched (switchkins).
+pub(super) const SWITCH_TO_AXES: [&str; 2] = ["M68 E3 Q1", "M66 E0 L0"];
+
 /// Whether the new program must switch the kinematics of its machine to the axes before it gives them.
 pub(super) fn switches_to_axes([old, new]: [&Machine; 2], writes_axes: bool) -> bool {
-    let follows_tip =
-        |machine: &Machine| machine.starting_kinematics == Some(StartingKinematics::Tip);
-    follows_tip(new) && (writes_axes || !follows_tip(old))
+    begins_with_tip(new) && (writes_axes || !begins_with_tip(old))
+}
+
+/// Whether the kinematics of a machine follow the tip where a program begins.
+pub(super) fn begins_with_tip(machine: &Machine) -> bool {
+    machine.starting_kinematics == Some(StartingKinematics::Tip)
 }
 
 /// The rotary axes of a machine; `None` where it has none, or they are not known.

@@ -9,7 +9,7 @@ use chordal_compare::{
 };
 
 use super::trace;
-use super::{ConversionOptions, codes};
+use super::{ConversionOptions, axis_positions, codes};
 use crate::{Certificate, prove, prove_contour};
 
 /// Whole categories of differences that belong to the machines.
@@ -108,6 +108,11 @@ fn is_left_out(difference: &Difference, [old, new]: [&Job; 2]) -> bool {
             // Another language has no codes of the old one.
             let [Some(from), Some(to)] = controls else { return true };
             codes::is_only_of(words, from, to)
+        }
+        // It only makes the machine take the axes, which are compared.
+        (Category::Code, Some([DifferenceValue::Nothing, DifferenceValue::Text(words)])) => {
+            axis_positions::SWITCH_TO_AXES.contains(&words.as_str())
+                && axis_positions::begins_with_tip(new.machine())
         }
         // On the same control a variable means the same, so it must have the same value.
         (Category::Variable, Some([DifferenceValue::Text(_), DifferenceValue::Text(_)])) => {

@@ -5,6 +5,7 @@ use chordal::control::{Action, ModeCode, MotionCode, ReadingCode};
 use chordal::machine::AXIS_LETTERS;
 use chordal::syntax::Letters;
 
+use super::axis_positions::SWITCH_TO_AXES;
 use super::codes;
 use super::context::ConvertContext;
 use super::rendering::RenderedPlan;
@@ -84,12 +85,12 @@ pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut Rend
     }
 }
 
-/// Switches the kinematics to the axes before a block, and waits until they are switched (LinuxCNC, switchkins).
+/// Switches the kinematics to the axes before a block.
 fn switch_to_axes(context: &ConvertContext, at: usize, rendered: &mut RenderedPlan) {
     if !context.switches_to_axes {
         return;
     }
-    let lines = ["M68 E3 Q1", "M66 E0 L0"].map(String::from);
+    let lines = SWITCH_TO_AXES.map(String::from);
     rendered.changes.push(Change {
         line: context.source.blocks[at].line,
         before: String::new(),
