@@ -177,7 +177,7 @@ impl CurvePlanner {
             let is_one = match joints {
                 JointFilter::Corners => {
                     cosine < TUNING.curves.corner_cosine
-                        && self.is_sharp_below(first, tolerance, arm_mm(moves, index))
+                        && self.is_sharp_below(moves, index, tolerance)
                 }
                 JointFilter::Bends => cosine < TUNING.curves.bend_cosine,
             };
@@ -212,19 +212,19 @@ impl CurvePlanner {
             return None;
         }
         let tolerance = linear_mm.max(EXACT_TOLERANCE.linear_mm);
-        let arm_mm = arm_mm(moves, index);
-        Some((self.cosine_within(self.firsts[index], tolerance, arm_mm), tolerance))
+        Some((self.cosine_within(moves, index, tolerance), tolerance))
     }
 
     /// Whether a joint is as sharp over lower tolerances: a bend that is round within a lower one stays a bend.
-    fn is_sharp_below(&self, first: usize, tolerance: f64, arm_mm: f64) -> bool {
+    fn is_sharp_below(&self, moves: &[MoveRequest], index: usize, tolerance: f64) -> bool {
         let mut lower =
             TUNING.curves.tolerance_ladder_mm.iter().rev().filter(|value| **value < tolerance);
-        lower.all(|value| self.cosine_within(first, *value, arm_mm) < TUNING.curves.corner_cosine)
+        lower.all(|value| self.cosine_within(moves, index, *value) < TUNING.curves.corner_cosine)
     }
 
-    /// The cosine of the turn between two chords, seen over some tolerances; the rotary axes count by their arc at a radius.
-    fn cosine_within(&self, first: usize, tolerance: f64, arm_mm: f64) -> f64 {
+    /// The cosine of the turn where a move begins, seen over some tolerances.
+    fn cosine_within(&self, moves: &[MoveRequest], index: usize, tolerance: f64) -> f64 {
+        let (first, arm_mm) = (self.firsts[index], arm_mm(moves, index));
         let here = &self.places[first];
         let before = self.beyond(first, -self.look((0..first).rev(), tolerance));
         let after = self.beyond(first, self.look(first..self.lengths.len(), tolerance));

@@ -69,9 +69,9 @@ fn surface(words: DirectionWords) -> String {
 }
 
 #[derive(Default)]
-struct Sum(f64);
+struct CommandSum(f64);
 
-impl Sink for Sum {
+impl Sink for CommandSum {
     fn command(&mut self, command: &Command) {
         self.0 += command.kind.motion().map_or(0.0, |motion| motion.to[0] + motion.to[5]);
     }
@@ -85,7 +85,7 @@ impl Sink for Sum {
     }
 }
 
-impl RunSink for Sum {}
+impl RunSink for CommandSum {}
 
 fn benches(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("100k lines of the tip");
@@ -103,7 +103,7 @@ fn benches(criterion: &mut Criterion) {
         let job = Job::new(sources, machine).expect("a good machine");
         group.bench_function(format!("{name}, interpreted"), |bench| {
             bench.iter(|| {
-                let mut sum = Sum::default();
+                let mut sum = CommandSum::default();
                 job.run(&mut sum);
                 black_box(sum.0)
             });

@@ -22,7 +22,7 @@ struct Rotation {
     point: Vector,
 }
 
-struct Kinematics {
+struct MachineFormulas {
     name: &'static str,
     machine: &'static str,
     /// Where the rotary axes stand before the first vector: on the side of the pole on which they stay.
@@ -37,11 +37,11 @@ fn rotation(axis: usize, direction: Vector, point: Vector) -> Rotation {
     Rotation { axis, direction, point }
 }
 
-fn all_kinematics() -> [Kinematics; 3] {
+fn all_kinematics() -> [MachineFormulas; 3] {
     let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
     let halfway = [0.0, FRAC_1_SQRT_2, FRAC_1_SQRT_2];
     [
-        Kinematics {
+        MachineFormulas {
             name: "trunnion",
             machine: "inherits = 'fanuc-ac-trunnion'
 [rotary.A]
@@ -56,7 +56,7 @@ point = { X = '-300 mm', Y = '-200 mm' }
                 rotation(5, z, [-300.0, -200.0, 0.0]),
             ],
         },
-        Kinematics {
+        MachineFormulas {
             name: "head and table",
             machine: "inherits = 'fanuc-head-table'
 [rotary.B]
@@ -68,7 +68,7 @@ point = { X = '-300 mm', Y = '-200 mm' }
             heads: vec![rotation(4, y, [0.0, 0.0, 150.0])],
             tables: vec![rotation(5, z, [-300.0, -200.0, 0.0])],
         },
-        Kinematics {
+        MachineFormulas {
             name: "nutating head",
             machine: "inherits = 'fanuc-nutating-head'
 ",
@@ -103,7 +103,7 @@ fn turn(v: Vector, about: Vector, angle: f64) -> Vector {
     std::array::from_fn(|axis| v[axis] * cos + cross[axis] * sin + about[axis] * along)
 }
 
-impl Kinematics {
+impl MachineFormulas {
     /// The tip in coordinates of the part and the direction from the tip to the spindle, from a setpoint.
     fn tip(&self, setpoint: &[f64; 6]) -> (Vector, Vector) {
         let mut tip = [0.0, 0.0, -TOOL_LENGTH_MM];
@@ -204,7 +204,7 @@ fn past_the_pole() -> Vec<Point> {
         .collect()
 }
 
-fn program(kinematics: &Kinematics, points: &[Point], feed: f64) -> String {
+fn program(kinematics: &MachineFormulas, points: &[Point], feed: f64) -> String {
     let [x, y, z] = points[0].0;
     let mut text = format!(
         "G21 G90 G17 G94\nG5.1 Q1\nT1 M6\nS9000 M3\nG54 G0 X{x:.4} Y{y:.4} {}\nG43.5 H1 Z{:.4}\n",
@@ -230,7 +230,7 @@ fn distance_to_line(point: Vector, from: Vector, to: Vector) -> f64 {
     norm(add(point, add(from, along, share), -1.0))
 }
 
-struct Measured {
+struct SampledRun {
     tip_off_mm: f64,
     direction_off_deg: f64,
     velocity: f64,
@@ -239,20 +239,20 @@ struct Measured {
 }
 
 /// Samples the run each half millisecond; the shares of the limits are of the cut.
-fn measure(kinematics: &Kinematics, points: &[Point], text: &str) -> Measured {
+fn measure(kinematics: &MachineFormulas, points: &[Point], text: &str) -> SampledRun {
     let job = kinematics.job(text);
     let found = job.check().diagnostics;
-    let told: Vec<(Code, String)> = found
+    let problems: Vec<(Code, String)> = found
         .iter()
         .filter(|found| found.severity != Severity::Note)
         .map(|found| (found.code, found.message.clone()))
         .collect();
-    assert_eq!(told, [], "{}", kinematics.name);
+    assert_eq!(problems, [], "{}", kinematics.name);
 
     const PERIOD_S: f64 = 5e-4;
     let request =
         SamplingRequest { period_s: PERIOD_S, level: PlannerLevel::Fast, max_samples: 10_000_000 };
-    let mut measured = Measured {
+    let mut measured = SampledRun {
         tip_off_mm: 0.0,
         direction_off_deg: 0.0,
         velocity: 0.0,
@@ -321,7 +321,7 @@ fn run(points: &[Point], feed: f64, above_bound: f64, direction_deg: f64) {
         let least = job.least(&options, bound_alone).expect("limits").whole;
         let (_, timed) = job.report_timed(&options, u64::MAX, &mut ());
         let timed_s = timed.expect("limits").expect("few moves").time.total_s();
-        let told = format!(
+        let summary = format!(
             "{}: tip {:.5} mm, direction {:.4} deg, velocity {:.4}, acceleration {:.4}, jerk {:.4}; time {:.3} s, bound {:.3} s",
             kinematics.name,
             measured.tip_off_mm,
@@ -332,16 +332,16 @@ fn run(points: &[Point], feed: f64, above_bound: f64, direction_deg: f64) {
             least.time_s,
             least.bound_s,
         );
-        println!("{told}");
+        println!("{summary}");
         let tolerance_mm = CORNER_MM + CHORD_MM + ROTARY_DEG.to_radians() * ARM_MM;
-        assert!(measured.tip_off_mm < tolerance_mm, "{told}");
-        assert!(measured.direction_off_deg < direction_deg + ROTARY_DEG, "{told}");
+        assert!(measured.tip_off_mm < tolerance_mm, "{summary}");
+        assert!(measured.direction_off_deg < direction_deg + ROTARY_DEG, "{summary}");
         // What is sampled at half a millisecond may exceed a limit by rounding alone.
         let of_limits = [measured.velocity, measured.acceleration, measured.jerk];
-        assert!(of_limits.into_iter().all(|share| share < 1.001), "{told}");
-        assert!(least.time_s < (1.0 + above_bound) * least.bound_s, "{told}");
-        assert!(least.time_s >= least.bound_s, "{told}");
-        assert!((timed_s - least.time_s).abs() < 1e-6 * timed_s, "{timed_s}, not {told}");
+        assert!(of_limits.into_iter().all(|share| share < 1.001), "{summary}");
+        assert!(least.time_s < (1.0 + above_bound) * least.bound_s, "{summary}");
+        assert!(least.time_s >= least.bound_s, "{summary}");
+        assert!((timed_s - least.time_s).abs() < 1e-6 * timed_s, "{timed_s}, not {summary}");
     }
 }
 
