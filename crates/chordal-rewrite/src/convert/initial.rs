@@ -37,9 +37,7 @@ pub(crate) fn begin(context: &ConvertContext, flat: &[bool], rendered: &mut Rend
             continue;
         };
         if *is_flat {
-            begin_flat(context, main, &runs, rendered);
-            let body = main.clone().filter(|at| *at >= context.source.first_words(main));
-            if let Some(at) = body.into_iter().find(|at| rendered.lines[*at].is_some()) {
+            if let Some(at) = begin_flat(context, main, &runs, rendered) {
                 switch_to_axes(context, at, rendered);
             }
             continue;
@@ -128,12 +126,12 @@ fn begin_flat(
     main: &std::ops::Range<usize>,
     runs: &[&BlockExecution],
     rendered: &mut RenderedPlan,
-) {
+) -> Option<usize> {
     let trace = context.trace;
     let moves = |exec: &&&BlockExecution| {
         trace.commands_of(exec).iter().any(|command| command.kind.motion().is_some())
     };
-    let Some(first) = runs.iter().find(moves).or(runs.first()) else { return };
+    let first = runs.iter().find(moves).or(runs.first())?;
     let style = context.style();
     let actions = [
         Action::from(first.after.units),
@@ -161,7 +159,7 @@ fn begin_flat(
     words.extend(work.filter(|_| says_work));
     let line = words.join(style.gap());
     let body = main.clone().filter(|at| *at >= context.source.first_words(main));
-    let Some(at) = body.into_iter().find(|at| rendered.lines[*at].is_some()) else { return };
+    let at = body.into_iter().find(|at| rendered.lines[*at].is_some())?;
     rendered.changes.push(Change {
         line: context.source.blocks[at].line,
         before: String::new(),
@@ -169,6 +167,7 @@ fn begin_flat(
         reason: "the codes active at the start, written together".into(),
     });
     rendered.lines[at].get_or_insert_default().insert(0, line);
+    Some(at)
 }
 
 /// True when words of these letters come before any code of the group.
