@@ -175,6 +175,13 @@ impl TipMotion for TipCurve {
         }
     }
 
+    fn point(&self, sigma: f64) -> Vec3 {
+        match &self.curve {
+            Curve::Line(line) => line.start.lerp(line.end, sigma),
+            curve => curve.point_at(sigma * self.length_mm),
+        }
+    }
+
     fn derivative_bounds(&self, _from: f64, _to: f64) -> (f64, f64) {
         let second = match &self.curve {
             Curve::Line(_) => 0.0,

@@ -32,6 +32,9 @@ impl Transform {
     /// counter-clockwise seen against `axis`. A zero axis gives the identity.
     #[must_use]
     pub fn rotation_about(point: Vec3, axis: Vec3, angle: f64) -> Self {
+        if angle == 0.0 {
+            return Self::identity();
+        }
         let Some(w) = axis.normalized() else { return Self::identity() };
         let (sin, cos) = math::sin_cos(angle);
         let turn = |e: Vec3| {

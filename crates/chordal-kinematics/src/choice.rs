@@ -97,6 +97,39 @@ impl fmt::Display for ChoiceError {
 
 impl core::error::Error for ChoiceError {}
 
+/// Two solutions, with the turns next to the present angles on either side for each of two axes.
+const MAX_CANDIDATES: usize = 8;
+
+/// The angles among which a control chooses, in order.
+#[derive(Clone, Copy)]
+struct AngleCandidates {
+    angles: [JointAngles; MAX_CANDIDATES],
+    count: usize,
+}
+
+impl AngleCandidates {
+    const NONE: AngleCandidates = AngleCandidates { angles: [[0.0; 3]; MAX_CANDIDATES], count: 0 };
+
+    /// Those of some that fulfil a condition.
+    fn of(candidates: &[JointAngles], fulfils: impl Fn(&JointAngles) -> bool) -> AngleCandidates {
+        let mut kept = AngleCandidates::NONE;
+        candidates.iter().filter(|angles| fulfils(angles)).for_each(|angles| kept.push(*angles));
+        kept
+    }
+
+    /// Appends angles, of which there are never more than fit.
+    fn push(&mut self, angles: JointAngles) {
+        if let Some(place) = self.angles.get_mut(self.count) {
+            *place = angles;
+            self.count += 1;
+        }
+    }
+
+    fn as_slice(&self) -> &[JointAngles] {
+        &self.angles[..self.count]
+    }
+}
+
 impl KinematicChain {
     /// The angles that a control takes, rad: of the solutions with every number of whole turns within travel, the one
     /// that the rule prefers. A free axis stays where it is, and so do the angles of axes that the chain does not have.
@@ -112,22 +145,23 @@ impl KinematicChain {
         let candidates = self.within_travel(solutions.as_slice(), present)?;
         let chosen = match rule {
             SolutionRule::MasterMovement { master } => {
-                least(&candidates, |angles| self.master_order(master, angles, present))
+                least(candidates.as_slice(), |angles| self.master_order(master, angles, present))
             }
             SolutionRule::PoleSide { near_rad } => {
-                let on_side = self.on_present_side(&candidates, present, near_rad);
-                least(&on_side, |angles| [sum_of_movements(angles, present)])
-                    .or_else(|| least(&candidates, |angles| [sum_of_movements(angles, present)]))
+                let on_side = self.on_present_side(candidates.as_slice(), present, near_rad);
+                least(on_side.as_slice(), |angles| [sum_of_movements(angles, present)]).or_else(
+                    || least(candidates.as_slice(), |angles| [sum_of_movements(angles, present)]),
+                )
             }
             SolutionRule::LeastAngle { primary, sign } => {
-                let signed = with_sign(&candidates, sign.map(|sign| (primary, sign)))?;
-                least(&signed, |angles| {
+                let signed = with_sign(candidates.as_slice(), sign.map(|sign| (primary, sign)))?;
+                least(signed.as_slice(), |angles| {
                     [angles[primary.index()].abs(), sum_of_movements(angles, present)]
                 })
             }
             SolutionRule::LeastMovement { sign } => {
-                let signed = with_sign(&candidates, sign)?;
-                least(&signed, |angles| [sum_of_movements(angles, present)])
+                let signed = with_sign(candidates.as_slice(), sign)?;
+                least(signed.as_slice(), |angles| [sum_of_movements(angles, present)])
             }
         };
         // There is a candidate, or an error has been returned above.
@@ -140,37 +174,38 @@ impl KinematicChain {
         &self,
         solutions: &[JointSolution],
         present: &JointAngles,
-    ) -> Result<Vec<JointAngles>, ChoiceError> {
-        let mut candidates = Vec::new();
+    ) -> Result<AngleCandidates, ChoiceError> {
+        let mut candidates = AngleCandidates::NONE;
         let mut nearest: Option<(RotaryLetter, f64)> = None;
         for solution in solutions {
-            let mut of_solution = vec![*present];
+            let mut of_solution = AngleCandidates::NONE;
+            of_solution.push(*present);
             for joint in self.joints() {
                 if solution.free == Some(joint.letter) {
                     continue;
                 }
                 let index = joint.letter.index();
                 let turned = turns_within_travel(joint, solution.angles[index], present[index]);
-                if turned.is_empty() {
+                if turned.iter().all(Option::is_none) {
                     let beyond = beyond_travel(joint, solution.angles[index]);
                     if nearest.is_none_or(|(_, other)| beyond < other) {
                         nearest = Some((joint.letter, beyond));
                     }
                 }
-                let with = |angles: &JointAngles| {
-                    let angles = *angles;
-                    turned.clone().into_iter().map(move |angle| {
-                        let mut angles = angles;
+                let mut with_joint = AngleCandidates::NONE;
+                for angles in of_solution.as_slice() {
+                    for angle in turned.into_iter().flatten() {
+                        let mut angles = *angles;
                         angles[index] = angle;
-                        angles
-                    })
-                };
-                of_solution = of_solution.iter().flat_map(with).collect();
+                        with_joint.push(angles);
+                    }
+                }
+                of_solution = with_joint;
             }
-            candidates.extend(of_solution);
+            of_solution.as_slice().iter().for_each(|angles| candidates.push(*angles));
         }
         match nearest {
-            Some((letter, beyond_rad)) if candidates.is_empty() => {
+            Some((letter, beyond_rad)) if candidates.as_slice().is_empty() => {
                 Err(ChoiceError::OutOfTravel { letter, beyond_rad })
             }
             _ => Ok(candidates),
@@ -202,15 +237,15 @@ impl KinematicChain {
         candidates: &[JointAngles],
         present: &JointAngles,
         near_rad: f64,
-    ) -> Vec<JointAngles> {
+    ) -> AngleCandidates {
         let (Some(triangle), Some(first)) = (AxisTriangle::of(self), candidates.first()) else {
-            return Vec::new();
+            return AngleCandidates::NONE;
         };
         let polar = triangle.polar_angle(self.direction(first));
         let second = &self.joints()[1];
-        let Some(pole) = triangle.pole_angle(polar) else { return Vec::new() };
+        let Some(pole) = triangle.pole_angle(polar) else { return AngleCandidates::NONE };
         if polar.min(core::f64::consts::PI - polar) > near_rad {
-            return Vec::new();
+            return AngleCandidates::NONE;
         }
         let pole = second.sign() * pole;
         let index = second.letter.index();
@@ -220,7 +255,7 @@ impl KinematicChain {
             now if now < -TIE_RAD => -1.0,
             _ => side_with_more_travel(second, math::nearest_turn(pole, present[index])),
         };
-        candidates.iter().copied().filter(|angles| side(angles) * kept >= -TIE_RAD).collect()
+        AngleCandidates::of(candidates, |angles| side(angles) * kept >= -TIE_RAD)
     }
 }
 
@@ -239,14 +274,13 @@ fn sum_of_movements(angles: &JointAngles, present: &JointAngles) -> f64 {
 fn with_sign(
     candidates: &[JointAngles],
     sign: Option<(RotaryLetter, AngleSign)>,
-) -> Result<Vec<JointAngles>, ChoiceError> {
-    let Some((letter, sign)) = sign else { return Ok(candidates.to_vec()) };
-    let has_sign = |angles: &&JointAngles| match sign {
+) -> Result<AngleCandidates, ChoiceError> {
+    let Some((letter, sign)) = sign else { return Ok(AngleCandidates::of(candidates, |_| true)) };
+    let signed = AngleCandidates::of(candidates, |angles| match sign {
         AngleSign::Positive => angles[letter.index()] >= -TIE_RAD,
         AngleSign::Negative => angles[letter.index()] <= TIE_RAD,
-    };
-    let signed: Vec<JointAngles> = candidates.iter().filter(has_sign).copied().collect();
-    if signed.is_empty() { Err(ChoiceError::NoSuchSign { letter }) } else { Ok(signed) }
+    });
+    if signed.as_slice().is_empty() { Err(ChoiceError::NoSuchSign { letter }) } else { Ok(signed) }
 }
 
 /// The first candidate of the least order, compared number by number; numbers that differ by rounding are ties.
@@ -270,18 +304,16 @@ fn least<const N: usize>(
 
 /// The angle with the whole turns that bring it next to another one within travel: from above, then from below, so that
 /// of half a turn the positive direction is first; if it is equal, that alone.
-fn turns_within_travel(joint: &RotaryJoint, angle: f64, present: f64) -> Vec<f64> {
+fn turns_within_travel(joint: &RotaryJoint, angle: f64, present: f64) -> [Option<f64>; 2] {
     let (low, high) = joint.travel.unwrap_or((f64::NEG_INFINITY, f64::INFINITY));
     let (low, high) = (low - TRAVEL_ROUNDING_RAD, high + TRAVEL_ROUNDING_RAD);
     // Present angles outside of travel are read as its nearest end.
     let present = present.clamp(low, high);
     let above = angle + TAU * math::ceil((present - angle) / TAU - TRAVEL_ROUNDING_RAD);
-    let mut found = vec![above];
-    if above - present > TRAVEL_ROUNDING_RAD {
-        found.push(above - TAU);
-    }
-    found.retain(|angle| (low..=high).contains(angle));
-    found
+    let is_present = above - present <= TRAVEL_ROUNDING_RAD;
+    let within = |angle: &f64| (low..=high).contains(angle);
+    let below = Some(above - TAU).filter(|_| !is_present);
+    [Some(above).filter(within), below.filter(within)]
 }
 
 /// How far the nearest turn of an angle is outside of the travel of an axis, rad.

@@ -167,8 +167,10 @@ fn with_two_joints(
         return Err(DirectionError::Unreachable { beyond_rad });
     }
     let [first, second] = joints;
+    let azimuth = triangle.azimuth(direction);
+    let corners = triangle.corners(polar);
     let solution = |side: TriangleSide| {
-        let (one, two) = triangle.angles(polar, triangle.azimuth(direction), side);
+        let (one, two) = triangle.angles_of_corners(corners, azimuth, side);
         let mut angles = [0.0; 3];
         angles[first.letter.index()] = first.sign() * math::within_half_turn(one);
         angles[second.letter.index()] = second.sign() * math::within_half_turn(two);

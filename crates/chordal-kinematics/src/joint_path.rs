@@ -17,6 +17,11 @@ pub trait TipMotion {
     /// The point at σ with its derivatives.
     fn tip(&self, sigma: f64) -> TipJet;
 
+    /// The point at σ alone, part coordinates, mm.
+    fn point(&self, sigma: f64) -> Vec3 {
+        self.tip(sigma).point
+    }
+
     /// Upper bounds of the lengths of the first and the second derivative between two values of σ, mm.
     fn derivative_bounds(&self, from: f64, to: f64) -> (f64, f64);
 }
@@ -73,6 +78,7 @@ pub(crate) struct MotionBound {
 
 impl MotionBound {
     /// The bounds after an axis has turned the point by `angle` in the middle, at `rate` per σ.
+    #[inline]
     pub(crate) fn turned(self, joint: &RotaryJoint, angle: f64, rate: f64) -> MotionBound {
         let rate = rate.abs();
         // Only the distance from the line of the axis counts; its point may lie far along it.
@@ -113,7 +119,7 @@ impl<P: TipMotion> JointPath<P> {
     #[must_use]
     pub fn positions(&self, sigma: f64) -> AxisPositions {
         let angles = self.angles(sigma).angles;
-        let gauge_point = self.chain.gauge_point(self.tip.tip(sigma).point, &angles, self.tool);
+        let gauge_point = self.chain.gauge_point(self.tip.point(sigma), &angles, self.tool);
         AxisPositions { gauge_point, angles }
     }
 
@@ -126,7 +132,7 @@ impl<P: TipMotion> JointPath<P> {
     fn motion_bound(&self, from: f64, to: f64) -> MotionBound {
         let (middle, half) = (0.5 * (from + to), 0.5 * (to - from).abs());
         let angles = self.angles(middle);
-        let point = self.tip.tip(middle).point;
+        let point = self.tip.point(middle);
         let (first, second) = self.tip.derivative_bounds(from, to);
         let start = MotionBound { middle: point, first, second, half, size: point.length() };
         let turn = |joint: &RotaryJoint| {

@@ -137,7 +137,7 @@ impl AxisTriangle {
     }
 
     /// The corners of the triangle at the first and the second axis, rad, `0..=π`.
-    fn corners(&self, polar: f64) -> (f64, f64) {
+    pub(crate) fn corners(&self, polar: f64) -> (f64, f64) {
         if Self::is_pole(polar) {
             // The limits: the triangle is a lune.
             return (FRAC_PI_2, if polar < FRAC_PI_2 { 0.0 } else { PI });
@@ -159,7 +159,16 @@ impl AxisTriangle {
     /// The angles of the first and the second axis (rad, right-hand rule) for a direction with this angle from the first
     /// axis and this azimuth about it. They change without a jump as long as the side is the same and the azimuth does.
     pub(crate) fn angles(&self, polar: f64, azimuth: f64, side: TriangleSide) -> (f64, f64) {
-        let (at_first, at_second) = self.corners(polar);
+        self.angles_of_corners(self.corners(polar), azimuth, side)
+    }
+
+    /// The same from the corners of the triangle.
+    pub(crate) fn angles_of_corners(
+        &self,
+        (at_first, at_second): (f64, f64),
+        azimuth: f64,
+        side: TriangleSide,
+    ) -> (f64, f64) {
         let sign = side.sign();
         (azimuth - sign * at_first, -sign * at_second - self.tool_azimuth)
     }

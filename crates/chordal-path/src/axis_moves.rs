@@ -6,7 +6,7 @@ use chordal_command::{
 use chordal_geometry::{Curve, Line, ParamCurve, Vec3};
 use chordal_kinematics::KinematicChain;
 
-use crate::axis_path::{AxisPiece, axis_pieces, tip_pieces};
+use crate::axis_path::{AxisPiece, AxisPieces, axis_pieces, tip_pieces};
 use crate::builder::duration_s;
 use crate::frame::ProgramFrame;
 use crate::segment::{Segment, point};
@@ -166,7 +166,7 @@ impl AxisMoves {
         if !known.covers(AxisMask::LINEAR) || !is_placed {
             return Err(AxisMovesError::UnknownPlace);
         }
-        let mut curves: Vec<(Curve, Option<Vec<AxisPiece>>)> = Vec::new();
+        let mut curves: Vec<(Curve, Option<AxisPieces>)> = Vec::new();
         tip_pieces(kind, motion, |curve, ends| {
             let pieces = axis_pieces(&frame, curve, ends, &offsets, self.tolerance_mm);
             curves.push((*curve, pieces));
@@ -181,7 +181,7 @@ impl AxisMoves {
                 FeedMode::InverseTime => duration_s(feed, motion, &curve) * part,
                 FeedMode::PerTime | FeedMode::PerRevolution => duration_s(feed, motion, &curve),
             });
-            timed.extend(pieces.into_iter().map(|piece| TimedAxisPiece {
+            timed.extend(pieces.map(|piece| TimedAxisPiece {
                 piece,
                 curve: number,
                 share: piece.share,

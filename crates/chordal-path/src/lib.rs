@@ -53,7 +53,7 @@ mod tip;
 mod turret_log;
 
 pub use axis_moves::{AxisMoves, AxisMovesError, TimedAxisPiece};
-pub use axis_path::{AxisPiece, axis_pieces, tip_pieces};
+pub use axis_path::{AxisPiece, AxisPieces, axis_pieces, tip_pieces};
 pub use builder::{PathBuilder, RunFrame, duration_s};
 pub use checks::{CheckedRange, ChecksMemory, RunChecks, depth_mm};
 pub use compensation::{

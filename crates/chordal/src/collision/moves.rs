@@ -4,7 +4,7 @@ use chordal_collision::AxisMove;
 use chordal_command::{AxisMask, Command, CommandKind, Move, Position};
 use chordal_geometry::{Curve, Line, ParamCurve, PerAxis, Transform, Vec3};
 use chordal_machine::{AXES, Machine};
-use chordal_path::{ProgramFrame, axis_pieces, rapid_corners, tip_pieces};
+use chordal_path::{AxisPieces, ProgramFrame, axis_pieces, rapid_corners, tip_pieces};
 
 /// Follows a run, and gives its moves in machine coordinates.
 pub(super) struct MoveFollower<'m> {
@@ -173,8 +173,7 @@ impl<'m> MoveFollower<'m> {
         tip_pieces(kind, motion, |curve, ends| {
             let found = axis_pieces(&part_frame, curve, ends, &offsets, self.deviation_mm);
             is_whole &= found.is_some();
-            let is_exact = found.as_ref().is_some_and(|found| found.len() == 1)
-                && ends[0][3..] == ends[1][3..];
+            let is_exact = found.as_ref().is_some_and(AxisPieces::is_exact);
             pieces.extend(found.into_iter().flatten().map(|piece| AxisMove {
                 curve: piece.curve.transformed(&all),
                 rotary_from: turned(piece.rotary_from),

@@ -12,8 +12,8 @@ use chordal_kernel::rules::{PathRules, RapidFeed};
 use chordal_machine::{AXES, FeedLimits, Machine, NonMotionTimes};
 use chordal_motion::{AxisValues, CornerMode, MoveKind, MoveRequest};
 use chordal_path::{
-    PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart, curve_of,
-    rotary_parts, surface_parts,
+    AxisPiece, PathBuilder, PathCommand, PathSink, RotaryLimits, Segment, SegmentKind, SurfacePart,
+    curve_of, rotary_parts, surface_parts,
 };
 
 use super::corner::{CornerRequest, PieceEnd, corner_of};
@@ -44,6 +44,8 @@ struct PendingMove {
 pub(crate) struct MotionBuilder<'a, S> {
     path: PathBuilder<'a>,
     segments: Vec<Segment>,
+    /// Memory for the moves of the axes of one command, each with the number of its path segment.
+    tip_parts: Vec<(usize, AxisPiece)>,
     rules: PathRules,
     times: NonMotionTimes,
     feed: FeedLimits,
@@ -107,6 +109,7 @@ impl<'a, S: MotionSink> MotionBuilder<'a, S> {
         MotionBuilder {
             path: job.path_builder(),
             segments: Vec::new(),
+            tip_parts: Vec::new(),
             mode: forced(options.path_mode, rules.start_mode()),
             rules,
             times: machine.times,

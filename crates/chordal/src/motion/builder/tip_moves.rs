@@ -35,7 +35,8 @@ impl<S: MotionSink> MotionBuilder<'_, S> {
     ) -> bool {
         let Some(motion) = command.kind.motion() else { return false };
         let tolerance_mm = self.axis_chord_tolerance_mm;
-        let mut parts = Vec::new();
+        let mut parts = std::mem::take(&mut self.tip_parts);
+        parts.clear();
         let mut index = 0;
         tip_pieces(&command.kind, motion, |curve, ends| {
             let pieces = axis_pieces(&placed.frame, curve, ends, &placed.offsets, tolerance_mm);
@@ -64,6 +65,7 @@ impl<S: MotionSink> MotionBuilder<'_, S> {
             self.segment(&part, end);
         }
         self.part_frame = None;
+        self.tip_parts = parts;
         count > 0
     }
 
