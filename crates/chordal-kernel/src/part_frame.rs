@@ -138,13 +138,16 @@ impl Kernel<'_> {
     /// The rotary axes that turn the tool or the part, as far as the machine file gives them.
     pub fn rotary_axes(&self) -> AxisMask {
         // That of a frame is at hand; to make it from the machine file takes time.
-        let of_frame = self.state.part_frame.as_ref().and_then(|frame| frame.chain);
-        let chain = of_frame.filter(|chain| !chain.joints().is_empty());
-        let chain = chain.or_else(|| self.rotary_chain().ok());
-        let mut axes = AxisMask::NONE;
-        let joints = chain.iter().flat_map(|chain| chain.joints());
-        joints.for_each(|joint| axes.insert(joint.letter.index() + 3));
-        axes
+        let of_frame = self.state.part_frame.as_ref().and_then(|frame| frame.chain.as_ref());
+        let axes_of = |chain: &KinematicChain| {
+            let mut axes = AxisMask::NONE;
+            chain.joints().iter().for_each(|joint| axes.insert(joint.letter.index() + 3));
+            axes
+        };
+        match of_frame.filter(|chain| !chain.joints().is_empty()) {
+            Some(chain) => axes_of(chain),
+            None => self.rotary_chain().map_or(AxisMask::NONE, |chain| axes_of(&chain)),
+        }
     }
 
     /// A rotary axis with a work offset other than 0, and that offset, degrees.

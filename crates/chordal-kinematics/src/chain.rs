@@ -233,6 +233,9 @@ impl KinematicChain {
     pub fn part_transform(&self, angles: &JointAngles) -> Transform {
         self.tables().rev().fold(Transform::identity(), |to_part, joint| {
             let angle = joint.right_hand_angle(angles);
+            if angle == 0.0 {
+                return to_part;
+            }
             to_part.then(&Transform::rotation_about(joint.point, joint.direction, angle))
         })
     }

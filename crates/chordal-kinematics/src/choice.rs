@@ -4,7 +4,7 @@ use core::cmp::Ordering;
 use core::f64::consts::TAU;
 use core::fmt;
 
-use crate::chain::KinematicChain;
+use crate::chain::{KinematicChain, MAX_JOINTS};
 use crate::inverse::{JointSolution, JointSolutions};
 use crate::joint::{JointAngles, RotaryJoint, RotaryLetter};
 use crate::math;
@@ -178,31 +178,31 @@ impl KinematicChain {
         let mut candidates = AngleCandidates::NONE;
         let mut nearest: Option<(RotaryLetter, f64)> = None;
         for solution in solutions {
-            let mut of_solution = AngleCandidates::NONE;
-            of_solution.push(*present);
-            for joint in self.joints() {
+            // An axis that is free, or that the chain does not have, has one choice: where it is.
+            let mut turned = [[Some(None), None]; MAX_JOINTS];
+            for (turned, joint) in turned.iter_mut().zip(self.joints()) {
                 if solution.free == Some(joint.letter) {
                     continue;
                 }
                 let index = joint.letter.index();
-                let turned = turns_within_travel(joint, solution.angles[index], present[index]);
-                if turned.iter().all(Option::is_none) {
+                let angles = turns_within_travel(joint, solution.angles[index], present[index]);
+                *turned = angles.map(|angle| angle.map(|angle| Some((index, angle))));
+                if angles.iter().all(Option::is_none) {
                     let beyond = beyond_travel(joint, solution.angles[index]);
                     if nearest.is_none_or(|(_, other)| beyond < other) {
                         nearest = Some((joint.letter, beyond));
                     }
                 }
-                let mut with_joint = AngleCandidates::NONE;
-                for angles in of_solution.as_slice() {
-                    for angle in turned.into_iter().flatten() {
-                        let mut angles = *angles;
-                        angles[index] = angle;
-                        with_joint.push(angles);
-                    }
-                }
-                of_solution = with_joint;
             }
-            of_solution.as_slice().iter().for_each(|angles| candidates.push(*angles));
+            for first in turned[0].into_iter().flatten() {
+                for second in turned[1].into_iter().flatten() {
+                    let mut angles = *present;
+                    for (index, angle) in [first, second].into_iter().flatten() {
+                        angles[index] = angle;
+                    }
+                    candidates.push(angles);
+                }
+            }
         }
         match nearest {
             Some((letter, beyond_rad)) if candidates.as_slice().is_empty() => {

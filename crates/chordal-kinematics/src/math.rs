@@ -2,7 +2,7 @@
 //!
 //! They come from `libm`, so that the same chain gives the same bits on every machine.
 
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 
 use chordal_geometry::Vec3;
 
@@ -38,6 +38,9 @@ pub(crate) fn rotated(v: Vec3, about: Vec3, angle: f64) -> Vec3 {
 
 /// The angle less whole turns, rad, in `-π..=π`.
 pub(crate) fn within_half_turn(angle: f64) -> f64 {
+    if angle.abs() < PI {
+        return angle;
+    }
     angle - TAU * libm::round(angle / TAU)
 }
 

@@ -117,12 +117,13 @@ impl AxisTriangle {
 
     /// Whether the second axis does not change the direction of the tool, which is parallel to it.
     pub(crate) fn second_is_free(&self) -> bool {
-        math::sin(self.to_tool) < POLE_SINE
+        Self::is_pole(self.to_tool)
     }
 
     /// Whether a direction at this angle from the first axis is parallel to it, so that the first axis may be anywhere.
     pub(crate) fn is_pole(polar: f64) -> bool {
-        math::sin(polar) < POLE_SINE
+        // So small an angle is its sine.
+        polar.min(PI - polar) < POLE_SINE
     }
 
     /// The angle of the second axis (rad, right-hand rule) that brings the tool parallel to the first axis, on the side on
