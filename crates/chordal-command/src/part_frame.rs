@@ -94,6 +94,12 @@ impl PartFrame {
         }
     }
 
+    /// Whether a rotary axis turns the tool; false without a chain.
+    pub fn turns_tool(&self) -> bool {
+        let joints = self.chain.as_ref().map(|chain| chain.joints());
+        joints.into_iter().flatten().any(|joint| joint.side == RotaryMount::Head)
+    }
+
     /// Whether the plane is that of the work coordinate system.
     pub fn is_level(&self) -> bool {
         self.plane == Transform::identity()

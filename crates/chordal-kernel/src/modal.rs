@@ -61,6 +61,8 @@ pub struct Modal {
     pub position: Position,
     /// The axes whose program coordinate is known.
     pub known: AxisMask,
+    /// Of these, the axes that have not moved since the run began: they stand where the run assumes that it begins.
+    pub unmoved: AxisMask,
     /// The machine coordinates, mm and rad.
     pub machine_position: Position,
     /// The axes whose machine coordinate is known.
@@ -123,6 +125,7 @@ impl Modal {
             cycle: state.cycle.as_ref().map(|cycle| cycle.kind),
             position: state.position,
             known: state.known,
+            unmoved: state.start.program,
             machine_position,
             machine_known: state.machine_known,
             units: state.units,

@@ -31,7 +31,7 @@ impl HeadWriter<'_, '_> {
             return self.before_station();
         }
         let mut lines = self.modes();
-        lines.extend(self.state.work());
+        lines.extend(self.stand()?);
         // The spindle is not started before the change, but a later M3 may count on its speed.
         lines.extend(self.state.speed());
         self.finish(lines)
@@ -44,7 +44,7 @@ impl HeadWriter<'_, '_> {
         }
         let mut lines = self.modes();
         lines.extend(self.tool());
-        lines.extend(self.state.work());
+        lines.extend(self.stand()?);
         lines.extend(self.spindle_line());
         self.finish(lines)
     }
@@ -56,7 +56,7 @@ impl HeadWriter<'_, '_> {
     }
 
     /// Coolant, the tool made ready and F, then what the block itself counts on.
-    fn finish(&self, mut lines: Vec<String>) -> Result<Vec<String>, HeadError> {
+    pub(super) fn finish(&self, mut lines: Vec<String>) -> Result<Vec<String>, HeadError> {
         lines.extend(self.before.words.coolant.iter().cloned());
         lines.extend(self.state.ready_tool());
         lines.extend(self.state.feed());
@@ -71,7 +71,13 @@ impl HeadWriter<'_, '_> {
         }
         let StateBefore { words: stated, highest, .. } = self.before;
         let mut lines = self.over(self.own_length()?)?;
-        lines.push(self.down(*highest)?);
+        let mut down = self.down(*highest)?;
+        if self.turns_tool_to_plane() {
+            // In one line with the way over the place.
+            let over = lines.pop().unwrap_or_default();
+            down = self.state.line([over, down]);
+        }
+        lines.push(down);
         lines.extend(stated.coolant.iter().cloned());
         lines.extend(self.plunge(*highest)?);
         lines.extend(self.state.ready_tool());
@@ -139,7 +145,7 @@ impl HeadWriter<'_, '_> {
     }
 
     /// The tool change, where a tool is in the spindle.
-    fn tool(&self) -> Option<String> {
+    pub(super) fn tool(&self) -> Option<String> {
         self.state.tool().filter(|_| self.before.modal.tool > 0)
     }
 
@@ -153,10 +159,14 @@ impl HeadWriter<'_, '_> {
             lines.extend(state.work());
             lines.extend(self.spindle_line());
         }
+        lines.extend(self.plane()?);
         lines.extend(then);
         let mut words = vec![self.needed(Action::Motion(MotionCode::Rapid), "a rapid")?];
-        words.extend(state.work().filter(|_| !is_separate));
-        for axis in [0, 1, 3, 4, 5] {
+        let is_tilted = !self.before.part_frame.plane.is_empty();
+        words.extend(state.work().filter(|_| !is_separate && !is_tilted));
+        // The rotary axes have turned to a tilted plane.
+        let axes: &[usize] = if is_tilted { &[0, 1] } else { &[0, 1, 3, 4, 5] };
+        for axis in axes.iter().copied() {
             if modal.known.has(axis) && (axis < 3 || self.names(axis)) {
                 words.push(self.place(axis, modal.position[axis])?);
             }
@@ -181,7 +191,8 @@ impl HeadWriter<'_, '_> {
     fn down(&self, highest: f64) -> Result<String, HeadError> {
         let mut words: Vec<String> = self.rapid_of_line()?.into_iter().collect();
         words.extend(self.state.length_offset());
-        words.push(self.place(2, highest)?);
+        // In a tilted plane it may be where the axes stood: what the word takes is near enough.
+        words.push(self.state.place(2, highest).0);
         Ok(self.state.line(words))
     }
 
@@ -306,7 +317,7 @@ impl HeadWriter<'_, '_> {
     }
 
     /// The program has turned a rotary axis, or said that it stands at zero.
-    fn names(&self, axis: usize) -> bool {
+    pub(super) fn names(&self, axis: usize) -> bool {
         let letter = AXIS_LETTERS.as_bytes()[axis];
         let is_stated =
             self.state.source.blocks[..self.at].iter().any(|block| block.word(letter).is_some());

@@ -5,8 +5,10 @@
 
 mod cycle;
 mod head;
+mod head_on_part;
 mod head_turned;
 mod lathe;
+mod part_frame;
 mod refusal;
 mod text;
 mod trace;
@@ -14,13 +16,14 @@ mod watch;
 
 use std::ops::Range;
 
-use chordal::control::{Action, CompensationSide, Modal, MotionMode, OnceCode, Units};
+use chordal::control::{Action, CompensationSide, FrameKinds, Modal, MotionMode, OnceCode, Units};
 use chordal::diagnostics::FileId;
 use chordal::stock::{ApproachCheck, StockRunError, TurnedOptions};
 use chordal::syntax::Letters;
 use chordal::{Job, Severity};
 
 use self::head::{HeadError, HeadWriter};
+use self::part_frame::FrameRestart;
 pub use self::refusal::{RefusalReason, RestartRefusal};
 use self::trace::{EventTrace, MatchLevel};
 pub use self::watch::UnrepeatedCode;
@@ -95,17 +98,23 @@ fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram
     let is_known = (0..3).all(|axis| axes[axis].is_none() || before.modal.known.has(axis));
     let state = before.writer(&source, control);
     let head = HeadWriter { state, before: &before, at };
+    let frame_restart = before.frame_restart();
+    let holds_tip = frame_restart == Ok(FrameRestart::AlongTool);
+    if holds_tip && (changes || !is_known) {
+        let what = "tool centre point control is active, and the place of the tip is not known";
+        return Err(requested.begun(RefusalReason::Frame, what, before.open.frame));
+    }
+    let approaches = changes || !is_known;
     let lines = match (changes, is_known) {
+        _ if holds_tip => head.along_tool(),
         (true, _) => head.before_change(),
         (false, true) => head.all(),
         (false, false) => head.before_approach(),
     };
-    let lines = lines.map_err(|lack| requested.lack(lack))?;
-    let approaches = changes || !is_known;
     let from_the_start = !before.open.shift.presets.is_empty();
     let unrepeated = before.unrepeated.clone();
     let provided = provided.map(<[u8]>::to_vec);
-    let draft = |lines: Vec<String>| RestartDraft {
+    let draft = |lines: Vec<String>, approaches: bool| RestartDraft {
         first,
         at,
         ran,
@@ -115,7 +124,21 @@ fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram
         unrepeated: unrepeated.clone(),
         existing: provided.clone(),
     };
-    let done = requested.prove(draft(lines));
+    let lines = match lines {
+        Ok(lines) => lines,
+        Err(lack) => {
+            // After a turn of the axes they stand at places that no words give: the program goes to its own first one.
+            let lines = match holds_tip {
+                true => head.before_approach_of_tip(),
+                false => head.before_approach(),
+            };
+            let can_approach = !approaches && !job.turns();
+            let lines = lines.ok().filter(|_| can_approach);
+            let done = lines.and_then(|lines| requested.prove(draft(lines, true)).ok());
+            return done.ok_or_else(|| requested.lack(lack));
+        }
+    };
+    let done = requested.prove(draft(lines, approaches));
     let Err(refused) = done else { return done };
     if is_known || changes {
         return Err(refused);
@@ -123,7 +146,7 @@ fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram
     // Over the place that is known, where the program does not go to one by itself.
     let is_over = !job.turns() && before.modal.known.has(0) && before.modal.known.has(1);
     let lines = is_over.then(|| head.before_descent().ok()).flatten();
-    let done = lines.and_then(|lines| requested.prove(draft(lines)).ok());
+    let done = lines.and_then(|lines| requested.prove(draft(lines, approaches)).ok());
     done.ok_or_else(|| requested.position(&before.modal))
 }
 
@@ -341,12 +364,15 @@ impl RestartRequest<'_, '_> {
             let what = "a cycle of one pass is active, and the line repeats it";
             return Err(self.begun(RefusalReason::Cycle, what, before.turned.pass));
         }
-        if modal.frames.any() {
-            let what = match (modal.frames.surface, modal.frames.part) {
-                (true, _) => "polar or cylindrical interpolation is active",
-                (false, true) => "tool centre point control is active",
-                (false, false) => "the coordinates are rotated, scaled, mirrored or polar",
+        let other_frames = FrameKinds { part: false, ..modal.frames };
+        if other_frames.any() {
+            let what = match modal.frames.surface {
+                true => "polar or cylindrical interpolation is active",
+                false => "the coordinates are rotated, scaled, mirrored or polar",
             };
+            return Err(self.begun(RefusalReason::Frame, what, open.frame));
+        }
+        if let Err(what) = before.frame_restart() {
             return Err(self.begun(RefusalReason::Frame, what, open.frame));
         }
         if let line @ Some(_) = open.shift.unrepeatable {

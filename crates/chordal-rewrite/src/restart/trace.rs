@@ -1,5 +1,6 @@
 //! What a run does from a block on, to hold it against another run.
 
+use std::f64::consts::TAU;
 use std::ops::Range;
 use std::rc::Rc;
 
@@ -7,7 +8,7 @@ use chordal::control::{
     ArcShape, AxisMask, CallPath, Feed, Modal, Move, Origin, Position, SpindleState, StateItem,
     StateValue,
 };
-use chordal::machine::AXES;
+use chordal::machine::{AXES, RolloverRule};
 use chordal::{CommandKind, Effect, Job, Severity, SourceMap};
 
 use crate::walk::{BlockOutput, WalkedBlock, walk};
@@ -33,6 +34,8 @@ struct BlockEndState {
     work_position: Position,
     machine_position: Position,
     known: AxisMask,
+    /// The axes that are still where the run began.
+    unmoved: AxisMask,
     machine_known: AxisMask,
     kept: Rc<KeptState>,
 }
@@ -78,8 +81,12 @@ pub(super) struct EventTrace {
     pub(super) moves: u64,
     /// What holds at its begin.
     begin: Option<Rc<KeptState>>,
+    /// The axes that have not moved before it.
+    unmoved: AxisMask,
     /// Variables that hold something over the end of the program.
     kept: Vec<(u32, Option<f64>)>,
+    /// The rotary axes that reach an angle whatever turn they are in: of their places whole turns do not count.
+    pub(super) rolling: AxisMask,
 }
 
 /// How much must be the same.
@@ -91,6 +98,10 @@ pub(super) struct MatchLevel {
     pub(super) settled: bool,
     /// The spindle keeps a cutting speed: its revolutions follow the diameter, which is another one until both have moved.
     pub(super) follows: bool,
+    /// The rotary axes of whose places whole turns do not count.
+    pub(super) rolling: AxisMask,
+    /// The axes that in one of the programs have not moved yet: nobody knows where they stand when the new one begins.
+    pub(super) unmoved: AxisMask,
 }
 
 /// Where two runs are first not the same.
@@ -134,7 +145,7 @@ impl EventTrace {
             line: 0,
             has_ended: false,
             state: None,
-            trace: EventTrace::default(),
+            trace: EventTrace { rolling: rolling_axes(job), ..EventTrace::default() },
         };
         let (_, rest) = walk(job, |visit| {
             if visit.ran >= after {
@@ -143,7 +154,9 @@ impl EventTrace {
                 let state = recorder.state_after(visit);
                 recorder.keep(TraceEvent::Done(state));
             } else if visit.ran + 1 == after {
-                recorder.trace.begin = Some(recorder.state_after(visit).kept);
+                let state = recorder.state_after(visit);
+                recorder.trace.unmoved = state.unmoved;
+                recorder.trace.begin = Some(state.kept);
             }
         });
         recorder.keep_output(&rest);
@@ -179,7 +192,8 @@ impl EventTrace {
     ) -> Option<FirstMismatch> {
         let begins = [&self.begin, &new.begin];
         let follows = begins.iter().all(|begin| begin.as_ref().is_some_and(|kept| kept.follows));
-        let mut care = MatchLevel { follows, ..care };
+        let unmoved = self.unmoved.or(new.unmoved);
+        let mut care = MatchLevel { follows, rolling: self.rolling, unmoved, ..care };
         for (one, other) in self.steps.iter().zip(&new.steps) {
             // An alarm comes before what its block does.
             let is_alarm =
@@ -192,6 +206,7 @@ impl EventTrace {
             care.settled |= one.what.needs_height();
             if let (TraceEvent::Done(one), TraceEvent::Done(other)) = (&one.what, &other.what) {
                 care.follows = one.kept.follows && other.kept.follows;
+                care.unmoved = one.unmoved.or(other.unmoved);
             }
             if let Some(what) = what {
                 return Some(FirstMismatch { line: one.line, what });
@@ -244,6 +259,13 @@ impl EventRecorder<'_> {
                 self.trace.kept.push((number, value));
                 continue;
             }
+            // In a tilted plane a rapid to where the tip stands may be what rounding leaves.
+            if let CommandKind::Rapid { motion, .. } = &command.kind
+                && motion.from_known == motion.to_known
+                && same_place(&motion.from, &motion.to, AxisMask::ALL, AxisMask::NONE)
+            {
+                continue;
+            }
             self.has_ended |= command.kind == CommandKind::End;
             self.stand(&command.origin);
             self.trace.moves += u64::from(command.kind.motion().is_some());
@@ -262,6 +284,7 @@ impl EventRecorder<'_> {
             work_position,
             machine_position,
             known,
+            unmoved,
             machine_known,
             codes,
             spindle,
@@ -275,7 +298,15 @@ impl EventRecorder<'_> {
             Some(kept) => kept.clone(),
             None => self.state.insert(Rc::new(new)).clone(),
         };
-        BlockEndState { position, work_position, machine_position, known, machine_known, kept }
+        BlockEndState {
+            position,
+            work_position,
+            machine_position,
+            known,
+            unmoved,
+            machine_known,
+            kept,
+        }
     }
 }
 
@@ -297,9 +328,32 @@ fn near(one: f64, other: f64) -> bool {
     (one - other).abs() <= EQUAL_NUMBER * one.abs().max(1.0)
 }
 
-/// The same on every axis of which both know the place.
-fn same_place(one: &Position, other: &Position, known: AxisMask) -> bool {
-    (0..AXES).all(|axis| !known.has(axis) || near(one[axis], other[axis]))
+/// The same on every axis of which both know the place; whole turns of `rolling` axes do not count.
+fn same_place(one: &Position, other: &Position, known: AxisMask, rolling: AxisMask) -> bool {
+    (0..AXES).all(|axis| {
+        let turns = match rolling.has(axis) {
+            true => TAU * ((one[axis] - other[axis]) / TAU).round(),
+            false => 0.0,
+        };
+        !known.has(axis) || near(one[axis], other[axis] + turns)
+    })
+}
+
+/// The rotary axes that turn without end and by the rule of the machine file reach an angle from any turn.
+fn rolling_axes(job: &Job) -> AxisMask {
+    let mut rolling = AxisMask::NONE;
+    for (axis, rotary) in AxisMask::ROTARY.iter().zip(&job.machine().rotary) {
+        if matches!(rotary.rollover, Some(RolloverRule::Shortest | RolloverRule::Sign)) {
+            rolling.insert(axis as usize);
+        }
+    }
+    rolling
+}
+
+/// The axes move by the same distances, where both ends are known.
+fn same_distance(one: &Move, other: &Move, axes: AxisMask) -> bool {
+    let distance = |motion: &Move, axis: usize| motion.to[axis] - motion.from[axis];
+    (0..AXES).all(|axis| !axes.has(axis) || near(distance(one, axis), distance(other, axis)))
 }
 
 fn different(one: &TraceEvent, other: &TraceEvent, care: MatchLevel) -> Option<String> {
@@ -330,7 +384,7 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: MatchLevel) -
     }
     if let (Some(a), Some(b)) = (one.motion(), other.motion()) {
         let is_rapid = matches!(one, Kind::Rapid { .. });
-        if !same_move(a, b, care.exact || care.settled || !is_rapid) {
+        if !same_move(a, b, care.exact || care.settled || !is_rapid, care) {
             return Some("the move is another one".into());
         }
         if !care.exact && !is_rapid && (0..3).any(|axis| !a.to_known.has(axis)) {
@@ -359,25 +413,34 @@ fn different_command(one: &CommandKind, other: &CommandKind, care: MatchLevel) -
         (
             Kind::WorkOffset { name: a, offset: x, known: k, .. },
             Kind::WorkOffset { name: b, offset: y, known: l, .. },
-        ) => a == b && k == l && same_place(x, y, AxisMask::ALL),
+        ) => a == b && k == l && same_place(x, y, AxisMask::ALL, AxisMask::NONE),
+        // Where the tip is then, the state after the block says as far as it is known.
+        (Kind::PartFrame { frame: a, .. }, Kind::PartFrame { frame: b, .. }) => a == b,
         _ => one == other,
     };
     (!is_same).then(|| "the block says the control another value".into())
 }
 
 /// Without `strict` only the axes that both know are compared, and the new move may come from elsewhere.
-fn same_move(one: &Move, other: &Move, strict: bool) -> bool {
+fn same_move(one: &Move, other: &Move, strict: bool, care: MatchLevel) -> bool {
+    let MatchLevel { rolling, unmoved, .. } = care;
     if strict {
         return one.from_known == other.from_known
             && one.to_known == other.to_known
-            && same_place(&one.from, &other.from, one.from_known)
-            && same_place(&one.to, &other.to, one.to_known);
+            && same_place(&one.from, &other.from, one.from_known, rolling)
+            && same_place(&one.to, &other.to, one.to_known, rolling)
+            && same_distance(one, other, one.from_known.and(one.to_known).and(rolling));
     }
-    let from = one.from_known.and(other.from_known);
-    let to = one.to_known.and(other.to_known);
+    let from = one.from_known.and(other.from_known).without(unmoved);
+    let mut stays = AxisMask::NONE;
+    let stay = unmoved.iter().map(|axis| axis as usize);
+    stay.filter(|axis| other.from[*axis] == other.to[*axis]).for_each(|axis| stays.insert(axis));
+    let to = one.to_known.and(other.to_known).without(stays);
     // Down at another place would be into something.
     let is_there = !moves_z(one) || one.to_known == other.to_known;
-    is_there && same_place(&one.from, &other.from, from) && same_place(&one.to, &other.to, to)
+    is_there
+        && same_place(&one.from, &other.from, from, rolling)
+        && same_place(&one.to, &other.to, to, rolling)
 }
 
 fn same_feed(one: &Feed, other: &Feed) -> bool {
@@ -402,20 +465,20 @@ fn different_state(
     other: &BlockEndState,
     care: MatchLevel,
 ) -> Option<&'static str> {
-    let known = one.known.and(other.known);
-    let machine = one.machine_known.and(other.machine_known);
     let settled = care.exact || care.settled;
+    // Before it is settled, nobody knows where axes stand that have not moved yet.
+    let unmoved = if settled { AxisMask::NONE } else { one.unmoved.or(other.unmoved) };
+    let known = one.known.and(other.known).without(unmoved);
+    let machine = one.machine_known.and(other.machine_known).without(unmoved);
     let kept = [&*one.kept, &*other.kept];
     if let Some(name) = different_item(kept, |item| is_compared(item, kept, settled)) {
         return Some(name);
     }
+    let same = |one, other, known| same_place(one, other, known, care.rolling);
     let checks = [
-        (same_place(&one.position, &other.position, known), "the position"),
-        (same_place(&one.work_position, &other.work_position, known), "the work position"),
-        (
-            same_place(&one.machine_position, &other.machine_position, machine),
-            "the machine position",
-        ),
+        (same(&one.position, &other.position, known), "the position"),
+        (same(&one.work_position, &other.work_position, known), "the work position"),
+        (same(&one.machine_position, &other.machine_position, machine), "the machine position"),
         (!care.exact || one.known == other.known, "what is known of the position"),
         (!settled || kept[0].codes == kept[1].codes, "a modal code"),
     ];

@@ -3,11 +3,13 @@
 use std::ops::Range;
 
 use chordal::control::{Action, AfterCode, Modal, OnceCode, number_text};
+use chordal::path::ProgramFrame;
 use chordal::syntax::{Block, Word};
 use chordal::{Command, CommandKind, Control, Effect, Job};
 
 use super::cycle::OpenCycle;
 use super::lathe::LatheState;
+use super::part_frame::{FrameRestart, PartFrameWords};
 use crate::source::SourceBlocks;
 use crate::state::{OpenConstructs, StateWords, StateWriter};
 use crate::walk::{WalkedBlock, first_x_factor, walk, x_factor_after};
@@ -23,6 +25,9 @@ pub(super) struct StateBefore {
     pub(super) open: OpenConstructs,
     pub(super) cycle: OpenCycle,
     pub(super) turned: LatheState,
+    /// What lies between program and machine coordinates.
+    pub(super) frame: ProgramFrame,
+    pub(super) part_frame: PartFrameWords,
     pub(super) unrepeated: Vec<UnrepeatedCode>,
     /// What a place of X is multiplied by in a word.
     pub(super) x_factor: f64,
@@ -101,6 +106,8 @@ impl StateBefore {
             open: OpenConstructs::default(),
             cycle: OpenCycle::default(),
             turned: LatheState::default(),
+            frame: job.path_builder().frame().clone(),
+            part_frame: PartFrameWords::default(),
             unrepeated: Vec::new(),
             x_factor: first_x_factor(job),
             highest: f64::NEG_INFINITY,
@@ -116,9 +123,30 @@ impl StateBefore {
             }
         });
         let modal = last?;
-        let RestartScan { words, open, cycle, turned, unrepeated, x_factor, highest, .. } = scan;
-        let highest = highest.max(modal.position[2]);
-        Some(StateBefore { modal, words, highest, open, cycle, turned, unrepeated, x_factor })
+        let highest = scan.highest.max(modal.position[2]);
+        let RestartScan {
+            words, open, cycle, turned, frame, part_frame, unrepeated, x_factor, ..
+        } = scan;
+        Some(StateBefore {
+            modal,
+            words,
+            highest,
+            open,
+            cycle,
+            turned,
+            frame,
+            part_frame,
+            unrepeated,
+            x_factor,
+        })
+    }
+
+    /// How a head brings back the frame of the part; what stands in the way otherwise.
+    pub(super) fn frame_restart(&self) -> Result<FrameRestart, &'static str> {
+        match self.modal.frames.part {
+            true => self.part_frame.restart(&self.frame),
+            false => Ok(FrameRestart::None),
+        }
     }
 
     /// Writes it as words of the program.
@@ -139,6 +167,8 @@ struct RestartScan<'s, 'a> {
     open: OpenConstructs,
     cycle: OpenCycle,
     turned: LatheState,
+    frame: ProgramFrame,
+    part_frame: PartFrameWords,
     unrepeated: Vec<UnrepeatedCode>,
     x_factor: f64,
     highest: f64,
@@ -149,6 +179,7 @@ struct RestartScan<'s, 'a> {
 impl RestartScan<'_, '_> {
     fn visit(&mut self, visit: &WalkedBlock) {
         for command in &visit.output.commands {
+            self.frame.follow(command);
             self.follow_command(command);
         }
         let (source, control) = (self.source, self.control);
@@ -158,6 +189,7 @@ impl RestartScan<'_, '_> {
         self.open.follow(source, control, block, self.moved);
         self.cycle.follow(source, control, block);
         self.turned.follow(source, control, block);
+        self.part_frame.follow(source, control, block);
         self.x_factor = x_factor_after(source, control, at, self.x_factor);
         for word in &block.words {
             self.follow_unrepeated(block, word);
@@ -168,6 +200,7 @@ impl RestartScan<'_, '_> {
         match &command.kind {
             CommandKind::Tool { .. }
             | CommandKind::ToolLength { .. }
+            | CommandKind::PartFrame { .. }
             | CommandKind::WorkOffset { .. } => {
                 self.highest = f64::NEG_INFINITY;
                 self.turned.approach = None;
