@@ -34,6 +34,7 @@
 //! | follow a path with the tip | [`JointPath`], [`TipMotion`] |
 //! | bound the positions of the axes on it | [`JointPath::bounds`] |
 //! | see how far the tip leaves its line if the axes run straight | [`KinematicChain::straight_deviation`] |
+//! | see how far the tool swings aside while the axes turn evenly | [`KinematicChain::swing`] |
 //! | turn the tool along a great circle | [`OrientationArc`] |
 
 #![forbid(unsafe_code)]
@@ -49,6 +50,7 @@ pub mod linuxcnc;
 mod math;
 mod orientation_arc;
 mod straight_move;
+mod swing;
 mod triangle;
 
 pub use chain::{ChainError, KinematicChain, MAX_JOINTS, ToolPose};
