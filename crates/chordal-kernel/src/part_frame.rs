@@ -183,9 +183,14 @@ impl Kernel<'_> {
             return;
         }
         self.suspend_part_frame();
+        self.resume_part_frame(Arc::new(self.fixed_frame(&frame, target)));
+    }
+
+    /// The frame with the tables as they lie at a position, so that its axes are those of the machine.
+    fn fixed_frame(&self, frame: &PartFrame, place: &Position) -> PartFrame {
         let work = self.state.program_offsets().work;
-        let frame_angles = std::array::from_fn(|axis| work[axis + 3] + target[axis + 3]);
-        self.resume_part_frame(Arc::new(PartFrame { frame_angles, ..PartFrame::clone(&frame) }));
+        let frame_angles = std::array::from_fn(|axis| work[axis + 3] + place[axis + 3]);
+        PartFrame { frame_angles, ..frame.clone() }
     }
 
     /// The rotary axes that turn in a move to a position, and are no table about an axis of the program.
@@ -343,6 +348,10 @@ impl Kernel<'_> {
         match frame {
             // The moves may have turned the tables.
             Some(_) if self.state.origin_on_table => self.go_on_with_origin(),
+            Some(frame) if frame.follows_tip && self.rules.frames.tip_frame_stays => {
+                let place = self.state.position;
+                self.resume_part_frame(Arc::new(self.fixed_frame(&frame, &place)));
+            }
             Some(frame) => self.resume_part_frame(frame),
             None => self.follow_fixture_error(),
         }

@@ -198,9 +198,13 @@ impl Interpreter<'_> {
         match cycle {
             Some((kind, radial)) => {
                 self.check_straight_along_tool(block, "a canned cycle");
+                self.check_turn_in(block, "a canned cycle");
                 self.start_cycle(block, kind, radial);
             }
-            _ if self.kernel.state.cycle.is_some() && !arc => self.next_hole(block),
+            _ if self.kernel.state.cycle.is_some() && !arc => {
+                self.check_turn_in(block, "a canned cycle");
+                self.next_hole(block);
+            }
             _ => self.motion_block(block, explicit),
         }
     }
@@ -294,6 +298,9 @@ impl Interpreter<'_> {
                 }
                 self.check_straight_along_tool(block, "an arc");
                 self.check_arc_in_fixed_frame(block, &target, named);
+                if self.kernel.state.offsets.fixture().number != 0 {
+                    self.check_turn_in(block, "an arc");
+                }
                 let direction = self.direction_on_surface(direction);
                 self.arc_block(block, direction, target, named, explicit);
             }

@@ -3,7 +3,7 @@
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_machine::{AXES, Axis, RotaryTarget};
-use chordal_syntax::Block;
+use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 
@@ -113,5 +113,23 @@ impl Interpreter<'_> {
             Some(alarm) => self.report_refused(diagnostic, alarm),
             None => self.kernel.report(diagnostic),
         }
+    }
+
+    /// Rotary axes in a block that is no straight move, where the coordinates follow the tables: with the error of a clamped
+    /// part, and in a frame of the tip that stays.
+    pub(super) fn check_turn_in(&mut self, block: &Block, what: &str) {
+        if !block.letters().meets(Letters::of("ABC")) {
+            return;
+        }
+        let follows_tip =
+            self.kernel.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip);
+        let stays = follows_tip && self.control.parameters.rules.frames.tip_frame_stays;
+        let frame = match self.kernel.state.offsets.fixture().number {
+            0 if stays => "in a frame of the tip that stays",
+            0 => return,
+            _ => "with a fixture offset",
+        };
+        let message = format!("{what} that turns the tables, {frame}, is not followed");
+        self.lose_path(block.range, message);
     }
 }
