@@ -3,33 +3,12 @@
 //! The part lies off its place by a vector that was measured with the rotary axes at some angles. The control turns the
 //! vector with the tables, and adds it to the work offset: the program is the same for every side of the part.
 
+use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Span};
 use chordal_geometry::Vec3;
 
-use chordal_command::{AxisMask, Position};
-
 use crate::kernel::Kernel;
-
-/// The error of a clamped part that is added to the work offset.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct FixtureError {
-    /// Its number in the table; 0: none is in force.
-    pub number: u16,
-    /// What it adds to X, Y and Z as the tables stand, mm.
-    pub shift: [f64; 3],
-    /// Whether the table gives it, and how the tables stand is known.
-    pub is_known: bool,
-}
-
-impl FixtureError {
-    /// None.
-    pub const NONE: FixtureError = FixtureError { number: 0, shift: [0.0; 3], is_known: true };
-
-    /// Its name in the table of work offsets of a machine file.
-    pub fn key(number: u16) -> String {
-        format!("G54.2 P{number}")
-    }
-}
+use crate::offsets::FixtureError;
 
 impl Kernel<'_> {
     /// Brings the error of a clamped part into force; 0 ends it. The machine does not move.

@@ -6,7 +6,6 @@ use chordal_command::{AxisMask, Position, UnknownPresets, WorkName, WorkNaming, 
 use chordal_geometry::Plane;
 use chordal_machine::{AXES, Axis, Machine, PerAxis, Tool};
 
-use crate::fixture_offset::FixtureError;
 use crate::frames::{FrameMap, Frames};
 
 const X: usize = Axis::X as usize;
@@ -76,6 +75,27 @@ impl CoordinatePresets {
     pub(crate) fn ended(self) -> CoordinatePresets {
         let unknown = UnknownPresets { axes: AxisMask::NONE, ..self.unknown };
         CoordinatePresets { values: [0.0; AXES], unknown }
+    }
+}
+
+/// The error of a clamped part that is added to the work offset.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FixtureError {
+    /// Its number in the table; 0: none is in force.
+    pub number: u16,
+    /// What it adds to X, Y and Z as the tables stand, mm.
+    pub shift: [f64; 3],
+    /// Whether the table gives it, and how the tables stand is known.
+    pub is_known: bool,
+}
+
+impl FixtureError {
+    /// None.
+    pub const NONE: FixtureError = FixtureError { number: 0, shift: [0.0; 3], is_known: true };
+
+    /// Its name in the table of work offsets of a machine file.
+    pub fn key(number: u16) -> String {
+        format!("G54.2 P{number}")
     }
 }
 

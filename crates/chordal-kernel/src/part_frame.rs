@@ -114,7 +114,7 @@ impl Kernel<'_> {
     }
 
     /// The target of a move while the length acts along the tool, where an axis that is not named stands (Haas G143).
-    pub fn with_unnamed_standing(&self, target: &Position, named: AxisMask) -> Position {
+    pub fn target_along_tool(&self, target: &Position, named: AxisMask) -> Position {
         let Some(frame) = &self.state.part_frame else { return *target };
         let offsets = self.state.program_offsets();
         let from = frame.axes_of_tip(&self.state.position, &offsets);

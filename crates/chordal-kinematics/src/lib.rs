@@ -59,4 +59,4 @@ pub use inverse::{AxisPositions, DirectionError, JointSolution, JointSolutions};
 pub use jet::{AngleJet, AxisJet, TipJet};
 pub use joint::{JointAngles, RolloverRule, RotaryJoint, RotaryLetter, RotaryMount};
 pub use joint_path::{JointPath, TipLine, TipMotion};
-pub use orientation_arc::{OrientationArc, OrientationError};
+pub use orientation_arc::{MAX_PARTS, OrientationArc, OrientationError};

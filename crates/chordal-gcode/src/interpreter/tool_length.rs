@@ -66,7 +66,7 @@ impl Interpreter<'_> {
     /// A straight move while the length acts along the tool: an axis that the block does not name stands.
     pub(super) fn straight_along_tool(&mut self, block: &Block, target: Position, named: AxisMask) {
         self.check_absolute_along_tool(block, "a move under G143");
-        let target = self.kernel.with_unnamed_standing(&target, named);
+        let target = self.kernel.target_along_tool(&target, named);
         self.kernel.straight(&self.at(block), target, named);
     }
 

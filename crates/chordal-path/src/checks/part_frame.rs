@@ -18,7 +18,7 @@ use crate::segment::{curve_of, is_known};
 const EXTREME_TOLERANCE_MM: f64 = 1e-4;
 
 /// By how much a speed may be above its limit by rounding.
-const ROUNDING: f64 = 1e-9;
+const SPEED_ROUNDING: f64 = 1e-9;
 
 impl RunChecks<'_> {
     /// Follows a command in a frame of the part. Heights of the program say nothing about the part where the tool
@@ -76,7 +76,7 @@ impl RunChecks<'_> {
         let speed = |axis: usize| {
             let most = self.machine.axes[axis].as_ref()?.max_velocity?;
             let turn = (motion.to[axis] - motion.from[axis]).abs();
-            Some((axis, turn, most)).filter(|_| turn > most * seconds * (1.0 + ROUNDING))
+            Some((axis, turn, most)).filter(|_| turn > most * seconds * (1.0 + SPEED_ROUNDING))
         };
         let too_fast = (3..AXES).filter_map(speed);
         let slowness = |(_, turn, most): &(usize, f64, f64)| turn / most;
