@@ -440,25 +440,6 @@ impl Interpreter<'_> {
         }
     }
 
-    /// G43.4, G234: from here on coordinates are those of the tip.
-    fn begin_tool_center(
-        &mut self,
-        block: &Block,
-        code: Option<&(&'static CodeRow, usize)>,
-        by_vector: bool,
-    ) {
-        if let Some((_, at)) = code {
-            self.check_begin_of_tool_center(block, *at, by_vector);
-        }
-        self.kernel.begin_tool_center();
-        self.kernel.state.tool_by_vector = by_vector;
-        let error = self.kernel.rotary_chain().err();
-        if let (Some(error), Some((_, at))) = (error, code) {
-            let (name, span) = (self.code_text(block, *at), self.span(block.words[*at].range));
-            self.kernel.report_no_kinematics(span, &name, &error);
-        }
-    }
-
     /// The number of the length that G43 or G44 without H activates.
     fn length_without_number(
         &mut self,

@@ -1,7 +1,9 @@
-//! The length of the tool along its direction, as the heads stand (Haas G143), and arcs while the tables turn.
+//! Tool centre point control, the length of the tool along its direction as the heads stand (Haas G143), and arcs while the
+//! tables turn.
 
 use chordal_command::{AxisMask, Position};
 use chordal_diagnostics::{Code, Diagnostic};
+use chordal_dialect::CodeRow;
 use chordal_machine::{AXES, Axis, RotaryTarget};
 use chordal_syntax::{Block, Letters};
 
@@ -14,6 +16,25 @@ const LINEAR_AXES: usize = 3;
 const HEADS: [usize; 2] = [Axis::A as usize, Axis::B as usize];
 
 impl Interpreter<'_> {
+    /// G43.4, G234: from here on coordinates are those of the tip.
+    pub(super) fn begin_tool_center(
+        &mut self,
+        block: &Block,
+        code: Option<&(&'static CodeRow, usize)>,
+        by_vector: bool,
+    ) {
+        if let Some((_, at)) = code {
+            self.check_begin_of_tool_center(block, *at, by_vector);
+        }
+        self.kernel.begin_tool_center();
+        self.kernel.state.tool_by_vector = by_vector;
+        let error = self.kernel.rotary_chain().err();
+        if let (Some(error), Some((_, at))) = (error, code) {
+            let (name, span) = (self.code_text(block, *at), self.span(block.words[*at].range));
+            self.kernel.report_no_kinematics(span, &name, &error);
+        }
+    }
+
     /// G143: the manual asks for two heads A and B, and for G90.
     pub(super) fn begin_length_along_tool(&mut self, block: &Block, at: usize) {
         let (name, span) = (self.code_text(block, at), self.span(block.words[at].range));
