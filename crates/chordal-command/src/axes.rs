@@ -1,5 +1,6 @@
 //! Positions and sets of axes.
 
+use chordal_kinematics::KinematicChain;
 use chordal_machine::{Axis, PerAxis};
 
 /// A value for each axis X Y Z A B C, in mm and rad.
@@ -29,6 +30,13 @@ impl AxisMask {
                 axes.insert(axis);
             }
         }
+        axes
+    }
+
+    /// The rotary axes of a chain.
+    pub fn of_chain(chain: &KinematicChain) -> AxisMask {
+        let mut axes = AxisMask::NONE;
+        chain.joints().iter().for_each(|joint| axes.insert(joint.letter.index() + 3));
         axes
     }
 

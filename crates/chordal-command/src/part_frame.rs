@@ -33,7 +33,7 @@ pub struct ProgramOffsets {
 
 impl ProgramOffsets {
     /// The machine angles of A, B and C at a position.
-    fn angles(&self, place: &Position) -> [f64; 3] {
+    pub fn angles(&self, place: &Position) -> [f64; 3] {
         std::array::from_fn(|axis| place[axis + 3] + self.work[axis + 3] + self.tool[axis + 3])
     }
 

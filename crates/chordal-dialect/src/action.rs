@@ -106,6 +106,8 @@ pub enum ModeCode {
     CornerArc,
     /// G54 to G59.
     WorkOffset(u16),
+    /// The error of a clamped part, which turns with the tables, by P (Fanuc G54.2).
+    FixtureError,
     /// G59.1 to G59.3.
     WorkOffsetPoint(u16),
     /// The extended work offset P (G54.1, Haas G154).
@@ -193,6 +195,8 @@ pub enum LengthCode {
     ToolCenter,
     /// The same, and I, J and K are the direction of the tool (G43.5).
     ToolCenterByVector,
+    /// The length acts along the tool as the heads A and B stand (Haas G143).
+    AlongTool,
 }
 
 /// Moves.

@@ -308,6 +308,9 @@ pub struct ControlTable {
     pub spatial: Option<&'static SpatialRules>,
     /// The alarms about tilted planes.
     pub tilted_plane: TiltedPlaneRules,
+    /// The alarm of an absolute angle of a whole turn or more on an axis that rolls over by sign, with `{value}` and
+    /// `{axis}`; `None` where such angles are taken as those within the turn.
+    pub rollover_beyond_turn: Option<&'static str>,
     /// Polar interpolation; `None` where it has none.
     pub face: Option<&'static SurfaceRules>,
     /// Cylindrical interpolation; `None` where it has none.
@@ -449,7 +452,10 @@ impl ControlTable {
             without_plane: None,
             unreachable: None,
             rotary_with_vector: None,
+            vector_in_fixed_frame: None,
+            arc_while_turning: None,
         },
+        rollover_beyond_turn: None,
         face: None,
         cylinder: None,
         work_names: WorkNaming { extended: "G54.1", first: 1, by_e: false },

@@ -13,4 +13,8 @@ pub struct TiltedPlaneRules {
     pub unreachable: Option<&'static str>,
     /// A rotary axis is named while I, J and K give the direction of the tool (G43.5).
     pub rotary_with_vector: Option<&'static str>,
+    /// The direction of the tool is given by a vector while the frame of the tip stays (G43.5 with WKP 1).
+    pub vector_in_fixed_frame: Option<&'static str>,
+    /// An arc in a frame of the tip that stays, while another axis turns than a table about the normal of its plane.
+    pub arc_while_turning: Option<&'static str>,
 }

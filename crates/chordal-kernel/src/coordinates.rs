@@ -66,13 +66,7 @@ impl Kernel<'_> {
             if self.machine.turns() || self.rules.starts_in == Plane::Zx {
                 return self.report_no_geometry(span, number);
             }
-            self.report_unset(
-                Code::OffsetNotSet,
-                span,
-                "length".into(),
-                format!("the machine file gives no length for tool {number}"),
-                format!("set it with --set tools.{number}.length=\"…\""),
-            );
+            self.report_no_length(span, number);
         }
         self.emit_tool_length();
     }
@@ -84,6 +78,22 @@ impl Kernel<'_> {
             self.state.shift_coordinates(|offsets| offsets.set_length(none, false));
             self.emit_tool_length();
         }
+    }
+
+    /// Reports a length that the machine file does not give. Where it gives that of the tool in the spindle, the number is
+    /// probably wrong: the table of the control has a 0 there.
+    fn report_no_length(&mut self, span: Span, number: u32) {
+        let message = format!("the machine file gives no length for tool {number}");
+        let tool = self.state.tool;
+        if tool == number || self.state.offsets.length_mm(tool).is_none() {
+            let help = format!("set it with --set tools.{number}.length=\"…\"");
+            return self.report_unset(Code::OffsetNotSet, span, "length".into(), message, help);
+        }
+        let diagnostic = Diagnostic::new(Code::OffsetNotSet, span, message)
+            .severity(Severity::Warning)
+            .label(format!("tool {tool} is in the spindle, and its length is given"))
+            .help(format!("write H{tool}, or set tools.{number}.length"));
+        self.report(diagnostic);
     }
 
     /// Reports a turning tool whose X and Z the machine file does not give.
@@ -125,7 +135,7 @@ impl Kernel<'_> {
     }
 
     /// Reports a missing value once for each offset.
-    fn report_unset(
+    pub(crate) fn report_unset(
         &mut self,
         code: Code,
         span: Span,

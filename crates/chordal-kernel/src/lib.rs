@@ -21,6 +21,7 @@ mod checkpoint;
 mod coordinates;
 mod corner_queue;
 mod cycles;
+mod fixture_offset;
 mod frame_checks;
 mod frame_codes;
 pub mod frames;

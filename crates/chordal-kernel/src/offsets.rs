@@ -34,6 +34,8 @@ pub struct Offsets {
     preset_known: PerAxis<Option<bool>>,
     /// Presets that were programmed at an unknown position of the work coordinate system.
     unknown_presets: UnknownPresets,
+    /// The error of a clamped part, which turns with the tables.
+    fixture: FixtureError,
     length: LengthOffset,
     /// Tool offsets that are active by their values, not by the table.
     tool_values: Option<Position>,
@@ -76,6 +78,27 @@ impl CoordinatePresets {
     }
 }
 
+/// The error of a clamped part that is added to the work offset.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct FixtureError {
+    /// Its number in the table; 0: none is in force.
+    pub number: u16,
+    /// What it adds to X, Y and Z as the tables stand, mm.
+    pub shift: [f64; 3],
+    /// Whether the table gives it, and how the tables stand is known.
+    pub is_known: bool,
+}
+
+impl FixtureError {
+    /// None.
+    pub const NONE: FixtureError = FixtureError { number: 0, shift: [0.0; 3], is_known: true };
+
+    /// Its name in the table of work offsets of a machine file.
+    pub fn key(number: u16) -> String {
+        format!("G54.2 P{number}")
+    }
+}
+
 /// The tool length in force.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct LengthOffset {
@@ -95,6 +118,8 @@ pub struct OffsetIdentity {
     system_known: AxisMask,
     is_length_known: bool,
     unknown_presets: u32,
+    /// The error of a clamped part that is not known; 0: none is in force, or it is known.
+    unknown_fixture: u16,
 }
 
 impl OffsetIdentity {
@@ -117,6 +142,7 @@ impl OffsetIdentity {
             && self.system_known.has(axis) == other.system_known.has(axis)
             && (!self.tool_axes.has(axis) || are_lengths_related)
             && self.unknown_presets == other.unknown_presets
+            && self.unknown_fixture == other.unknown_fixture
     }
 }
 
@@ -145,6 +171,7 @@ impl Offsets {
             preset: [0.0; AXES],
             preset_known: [None; AXES],
             unknown_presets: UnknownPresets::default(),
+            fixture: FixtureError::NONE,
             length: LengthOffset { number: None, minus: false },
             tool_values: None,
             total: [0.0; AXES],
@@ -194,7 +221,19 @@ impl Offsets {
             system_known: self.system_known,
             is_length_known: self.length_in_force().is_some(),
             unknown_presets: self.unknown_presets.count,
+            unknown_fixture: if self.fixture.is_known { 0 } else { self.fixture.number },
         }
+    }
+
+    /// The error of a clamped part in force.
+    #[inline]
+    pub fn fixture(&self) -> FixtureError {
+        self.fixture
+    }
+
+    /// Brings the error of a clamped part into force, as the tables stand.
+    pub fn set_fixture(&mut self, error: FixtureError) {
+        self.fixture = error;
     }
 
     /// The work coordinate system in force.
@@ -467,7 +506,8 @@ impl Offsets {
                 system.and_then(|values| values[axis].or_else(|| default_rotary(&values, axis)));
             let external = if machine { 0.0 } else { self.external[axis].unwrap_or(0.0) };
             self.system[axis] = base.unwrap_or(0.0) + external;
-            self.work[axis] = self.system[axis] + self.shift[axis] + self.preset[axis];
+            let fixture = if axis < LINEAR_AXES { self.fixture.shift[axis] } else { 0.0 };
+            self.work[axis] = self.system[axis] + self.shift[axis] + self.preset[axis] + fixture;
             if base.is_some() || self.absent.has(axis) {
                 self.system_known.insert(axis);
             }
@@ -476,6 +516,7 @@ impl Offsets {
             if self.tool_axes.has(axis) {
                 is_known &= length_known;
             }
+            is_known &= axis >= LINEAR_AXES || self.fixture.is_known;
             if is_known || self.absent.has(axis) {
                 self.known.insert(axis);
             }

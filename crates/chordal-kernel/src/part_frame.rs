@@ -6,13 +6,16 @@ use std::sync::Arc;
 use chordal_command::{AxisMask, CommandKind, PartFrame, Position, ProgramOffsets};
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_geometry::{Transform, Vec3};
-use chordal_kinematics::{AngleSign, KinematicChain, SolutionRule};
+use chordal_kinematics::{AngleSign, KinematicChain, RotaryMount, SolutionRule};
 use chordal_machine::{AXES, AXIS_LETTERS, TcpFrame};
 
 use crate::kernel::Kernel;
 use crate::rules::RotaryChoice;
 use crate::state::State;
 use crate::statement::Statement;
+
+/// Below this sine an axis of rotation is parallel to an axis of the program.
+const PARALLEL: f64 = 1e-9;
 
 /// Why the rotary axes cannot turn to a plane.
 #[derive(Clone, PartialEq, Debug)]
@@ -41,17 +44,15 @@ impl State {
         }
     }
 
-    /// The axes on which the positions of X, Y and Z depend.
-    fn axes_of_chain(frame: &PartFrame) -> AxisMask {
-        let mut axes = AxisMask::LINEAR;
-        let joints = frame.chain.iter().flat_map(|chain| chain.joints());
-        joints.for_each(|joint| axes.insert(joint.letter.index() + 3));
-        axes
+    /// Whether the axes are known on which the positions of X, Y and Z depend.
+    fn knows_axes_of(frame: &PartFrame, known: AxisMask) -> bool {
+        let rotary = frame.chain.as_ref().map_or(AxisMask::NONE, AxisMask::of_chain);
+        known.covers(AxisMask::LINEAR.or(rotary))
     }
 
     /// Whether the places of the tip and of the axes follow from each other, with the axes at a position.
     fn is_related(&self, frame: &PartFrame, place: &Position, known: AxisMask) -> bool {
-        known.covers(State::axes_of_chain(frame))
+        State::knows_axes_of(frame, known)
             && (frame.is_aligned(place, &self.program_offsets())
                 || frame.chain.is_some() && self.offsets.known().covers(AxisMask::LINEAR))
     }
@@ -101,9 +102,35 @@ impl Kernel<'_> {
         self.set_part_frame(true, self.tilted_plane());
     }
 
+    /// The length of the tool acts along it as the heads stand from here on, and nothing else of the kinematics does (Haas
+    /// G143): the place of the pivot is in the coordinates of the program already.
+    pub fn begin_length_along_tool(&mut self) {
+        self.suspend_part_frame();
+        self.state.has_tilted_plane = false;
+        let chain = self.rotary_chain().ok().map(|chain| chain.with_heads_at_gauge_point());
+        let frame = self.part_frame_of(chain, false, Transform::identity());
+        self.resume_part_frame(Arc::new(frame));
+        self.state.length_along_tool = true;
+    }
+
+    /// The target of a move while the length acts along the tool, where an axis that is not named stands (Haas G143).
+    pub fn target_along_tool(&self, target: &Position, named: AxisMask) -> Position {
+        let Some(frame) = &self.state.part_frame else { return *target };
+        let offsets = self.state.program_offsets();
+        let from = frame.axes_of_tip(&self.state.position, &offsets);
+        let to = frame.axes_of_tip(target, &offsets);
+        std::array::from_fn(|axis| match AxisMask::LINEAR.without(named).has(axis) {
+            true => target[axis] + from[axis] - to[axis],
+            false => target[axis],
+        })
+    }
+
     /// Ends tool centre point control; a tilted plane stays.
     pub fn end_tool_center(&mut self) {
         self.state.tool_by_vector = false;
+        if std::mem::take(&mut self.state.length_along_tool) {
+            return self.set_part_frame(false, None);
+        }
         if self.state.tip_by_kinematics {
             return;
         }
@@ -139,15 +166,49 @@ impl Kernel<'_> {
     pub fn rotary_axes(&self) -> AxisMask {
         // That of a frame is at hand; to make it from the machine file takes time.
         let of_frame = self.state.part_frame.as_ref().and_then(|frame| frame.chain.as_ref());
-        let axes_of = |chain: &KinematicChain| {
-            let mut axes = AxisMask::NONE;
-            chain.joints().iter().for_each(|joint| axes.insert(joint.letter.index() + 3));
-            axes
-        };
         match of_frame.filter(|chain| !chain.joints().is_empty()) {
-            Some(chain) => axes_of(chain),
-            None => self.rotary_chain().map_or(AxisMask::NONE, |chain| axes_of(&chain)),
+            Some(chain) => AxisMask::of_chain(chain),
+            None => self.rotary_chain().map_or(AxisMask::NONE, |chain| AxisMask::of_chain(&chain)),
         }
+    }
+
+    /// Before a move to these positions of the axes under tool centre point control, on a control whose coordinates keep the
+    /// axes of the machine: the end point counts as the tables lie at the end of the move, so the frame lies so from here on.
+    /// The machine does not move.
+    pub fn turn_fixed_frame(&mut self, target: &Position) {
+        let turns = target[3..] != self.state.position[3..];
+        if !self.rules.frames.tip_frame_stays || !turns {
+            return;
+        }
+        let Some(frame) = self.state.part_frame.clone().filter(|frame| frame.follows_tip) else {
+            return;
+        };
+        self.suspend_part_frame();
+        self.resume_part_frame(Arc::new(self.fixed_frame(&frame, target)));
+    }
+
+    /// The frame with the tables as they lie at a position, so that its axes are those of the machine.
+    fn fixed_frame(&self, frame: &PartFrame, place: &Position) -> PartFrame {
+        let work = self.state.program_offsets().work;
+        let frame_angles = std::array::from_fn(|axis| work[axis + 3] + place[axis + 3]);
+        PartFrame { frame_angles, ..frame.clone() }
+    }
+
+    /// The rotary axes that turn in a move to a position, and are no table about an axis of the program.
+    pub fn turns_across(&self, target: &Position, normal: usize) -> AxisMask {
+        let from = &self.state.position;
+        let frame = self.state.part_frame.as_ref();
+        let chain = frame.and_then(|frame| frame.chain);
+        let mut axes = AxisMask::NONE;
+        (3..AXES).filter(|axis| from[*axis] != target[*axis]).for_each(|axis| axes.insert(axis));
+        for joint in chain.iter().flat_map(|chain| chain.joints()) {
+            let along = [Vec3::X, Vec3::Y, Vec3::Z][normal];
+            let is_about = joint.direction.cross(along).length() < PARALLEL;
+            if joint.side == RotaryMount::Table && is_about {
+                axes.remove(joint.letter.index() + 3);
+            }
+        }
+        axes
     }
 
     /// A rotary axis with a work offset other than 0, and that offset, degrees.
@@ -213,9 +274,11 @@ impl Kernel<'_> {
     ) -> PartFrame {
         let offsets = self.state.program_offsets();
         let place = self.state.work_position();
-        let frame_angles = std::array::from_fn(|axis| match self.machine.tcp_frame {
-            TcpFrame::Activation if follows_tip => offsets.work[axis + 3] + place[axis + 3],
-            TcpFrame::Zero | TcpFrame::Activation => offsets.work[axis + 3],
+        let is_as_turned =
+            self.machine.tcp_frame == TcpFrame::Activation || self.rules.frames.tip_frame_stays;
+        let frame_angles = std::array::from_fn(|axis| match is_as_turned && follows_tip {
+            true => offsets.work[axis + 3] + place[axis + 3],
+            false => offsets.work[axis + 3],
         });
         PartFrame { chain, frame_angles, plane, follows_tip }
     }
@@ -229,7 +292,7 @@ impl Kernel<'_> {
         let (place, offsets) = (self.state.axis_position(), self.state.program_offsets());
         let frame = self.part_frame_of(Some(chain), true, Transform::identity());
         let known = self.state.frames.map().known(self.state.known);
-        if !known.covers(State::axes_of_chain(&frame)) {
+        if !State::knows_axes_of(&frame, known) {
             let what = "the program has not said where the axes are".to_string();
             return Err(TurnError::NoKinematics(what));
         }
@@ -286,8 +349,12 @@ impl Kernel<'_> {
         match frame {
             // The moves may have turned the tables.
             Some(_) if self.state.origin_on_table => self.go_on_with_origin(),
+            Some(frame) if frame.follows_tip && self.rules.frames.tip_frame_stays => {
+                let place = self.state.position;
+                self.resume_part_frame(Arc::new(self.fixed_frame(&frame, &place)));
+            }
             Some(frame) => self.resume_part_frame(frame),
-            None => {}
+            None => self.follow_fixture_error(),
         }
     }
 
@@ -367,7 +434,9 @@ impl Kernel<'_> {
     pub(crate) fn moved_on_part(&mut self, from: &Position) {
         let state = &self.state;
         let turns = from[3..] != state.position[3..];
-        if turns && state.part_frame.as_ref().is_some_and(|frame| !frame.follows_tip) {
+        let is_plane = !state.length_along_tool
+            && state.part_frame.as_ref().is_some_and(|frame| !frame.follows_tip);
+        if turns && is_plane {
             let what = "a rotary axis turns in a tilted plane: where the tip goes is not followed";
             let help = "end the plane before, or turn to it with G53.1";
             let diagnostic = Diagnostic::new(Code::NotFollowed, self.origin.span, what);
@@ -421,5 +490,19 @@ impl Kernel<'_> {
     pub fn rotary_of_direction(&self, direction: Vec3) -> Result<[f64; 3], TurnError> {
         let frame = self.state.part_frame.as_ref().ok_or(TurnError::NoPlane)?;
         self.angles_of_direction(frame, direction, None)
+    }
+
+    /// The largest angle between the tool and the plane of its directions before and after a turn of the rotary axes to
+    /// these program positions of A, B and C, rad; `None` where the machine file does not give the axes.
+    pub fn swing_of_tool(&self, angles: &[f64; 3]) -> Option<f64> {
+        let chain = self.state.part_frame.as_ref()?.chain?;
+        let offsets = self.state.program_offsets();
+        let known = self.state.frames.map().known(self.state.known);
+        if !known.covers(AxisMask::of_chain(&chain)) {
+            return None;
+        }
+        let [a, b, c] = *angles;
+        let from = offsets.angles(&self.state.position);
+        Some(chain.swing(&from, &offsets.angles(&[0.0, 0.0, 0.0, a, b, c])))
     }
 }

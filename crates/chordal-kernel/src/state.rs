@@ -284,6 +284,8 @@ pub struct State {
     pub has_tilted_plane: bool,
     /// Under tool centre point control the program gives the direction of the tool as a vector (G43.5).
     pub tool_by_vector: bool,
+    /// The length of the tool acts along it as the heads stand, and an axis that a block does not name stands (Haas G143).
+    pub length_along_tool: bool,
     /// The tip is followed by the kinematics of the control, which no code of the tool length ends.
     pub tip_by_kinematics: bool,
     /// The origin of the coordinates rides on the tables, and their axes stay those of the machine (Haas G254).
@@ -380,6 +382,7 @@ impl State {
             part_frame: None,
             has_tilted_plane: false,
             tool_by_vector: false,
+            length_along_tool: false,
             tip_by_kinematics: false,
             origin_on_table: false,
             named_on_table: AxisMask::NONE,

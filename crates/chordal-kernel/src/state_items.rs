@@ -47,7 +47,7 @@ pub enum StateItem {
     RadiusOffset,
     /// The work coordinate system.
     WorkOffset,
-    /// G52 and G92.
+    /// G52 and G92, and the error of a clamped part (G54.2).
     Shift,
     /// The tool length in force.
     LengthOffset,
@@ -156,6 +156,7 @@ impl State {
             part_frame: _,
             has_tilted_plane: _,
             tool_by_vector: _,
+            length_along_tool: _,
             tip_by_kinematics: _,
             origin_on_table: _,
             named_on_table: _,
@@ -193,7 +194,8 @@ impl State {
             turning,
         } = self;
         let frames = self.frame_kinds();
-        let shift = (0..position.len()).map(|axis| offsets.shift_of(axis)).collect();
+        let shift = (0..position.len()).map(|axis| offsets.shift_of(axis));
+        let shift = shift.chain([f64::from(offsets.fixture().number)]).collect();
         vec![
             (StateItem::Units, word(units)),
             (StateItem::Distance, word(incremental)),

@@ -148,6 +148,15 @@ impl KinematicChain {
         Ok(self)
     }
 
+    /// The same chain with every head turning about the gauge point: then the heads move the tip by the length of the tool
+    /// alone.
+    #[must_use]
+    pub fn with_heads_at_gauge_point(mut self) -> Self {
+        let heads = self.joints.iter_mut().filter(|joint| joint.side == RotaryMount::Head);
+        heads.for_each(|joint| joint.point = Vec3::ZERO);
+        self
+    }
+
     /// The rotary axes in order from the part to the tool, with unit vectors as directions.
     #[must_use]
     pub fn joints(&self) -> &[RotaryJoint] {

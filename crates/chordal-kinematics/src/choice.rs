@@ -85,7 +85,7 @@ impl fmt::Display for ChoiceError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             ChoiceError::OutOfTravel { letter, beyond_rad } => {
-                let degrees = beyond_rad.to_degrees();
+                let degrees = math::degrees_text(*beyond_rad);
                 write!(f, "no solution is within travel: {letter} is {degrees} deg outside")
             }
             ChoiceError::NoSuchSign { letter } => {

@@ -64,7 +64,7 @@ impl fmt::Display for DirectionError {
             DirectionError::Unreachable { beyond_rad } => write!(
                 f,
                 "the rotary axes do not reach the direction: it is {} deg outside",
-                beyond_rad.to_degrees()
+                math::degrees_text(*beyond_rad)
             ),
         }
     }

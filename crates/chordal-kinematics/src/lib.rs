@@ -34,6 +34,7 @@
 //! | follow a path with the tip | [`JointPath`], [`TipMotion`] |
 //! | bound the positions of the axes on it | [`JointPath::bounds`] |
 //! | see how far the tip leaves its line if the axes run straight | [`KinematicChain::straight_deviation`] |
+//! | see how far the tool swings aside while the axes turn evenly | [`KinematicChain::swing`] |
 //! | turn the tool along a great circle | [`OrientationArc`] |
 
 #![forbid(unsafe_code)]
@@ -49,6 +50,7 @@ pub mod linuxcnc;
 mod math;
 mod orientation_arc;
 mod straight_move;
+mod swing;
 mod triangle;
 
 pub use chain::{ChainError, KinematicChain, MAX_JOINTS, ToolPose};
@@ -57,4 +59,4 @@ pub use inverse::{AxisPositions, DirectionError, JointSolution, JointSolutions};
 pub use jet::{AngleJet, AxisJet, TipJet};
 pub use joint::{JointAngles, RolloverRule, RotaryJoint, RotaryLetter, RotaryMount};
 pub use joint_path::{JointPath, TipLine, TipMotion};
-pub use orientation_arc::{OrientationArc, OrientationError};
+pub use orientation_arc::{MAX_PARTS, OrientationArc, OrientationError};

@@ -58,3 +58,24 @@ pub(crate) fn floor(x: f64) -> f64 {
 pub(crate) fn ceil(x: f64) -> f64 {
     libm::ceil(x)
 }
+/// An angle in degrees for a message: three decimals, or the power of ten of less than that.
+pub(crate) fn degrees_text(rad: f64) -> String {
+    let degrees = rad.to_degrees();
+    let text = format!("{degrees:.3}");
+    match text.trim_end_matches('0').trim_end_matches('.') {
+        "0" | "-0" if degrees != 0.0 => format!("{degrees:.0e}"),
+        text => text.to_string(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn degrees_are_rounded_to_what_says_something() {
+        let texts = [10.000_000_000_000_002_f64, 33.130_102, 0.5, 1e-6, 0.0];
+        let texts = texts.map(|degrees| degrees_text(degrees.to_radians()));
+        assert_eq!(texts, ["10", "33.13", "0.5", "1e-6", "0"]);
+    }
+}

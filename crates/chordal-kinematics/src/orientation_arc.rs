@@ -12,6 +12,9 @@ use crate::joint::{JointAngles, RotaryJoint};
 use crate::math;
 use crate::triangle::{AxisTriangle, POLE_SINE, TriangleSide};
 
+/// The most parts of an arc with even angles: with more of them the arc leads past a pole.
+pub const MAX_PARTS: u32 = 256;
+
 /// How far the start angles may be from the start direction, rad.
 const START_TOLERANCE_RAD: f64 = 1e-9;
 
@@ -218,6 +221,38 @@ impl OrientationArc {
             angles[joint.letter.index()] = joint.sign() * (angle + turns);
         }
         angles
+    }
+
+    /// The angles at the ends of equal parts of the arc, without its start: so many parts that the tool stays within a
+    /// tolerance (rad) of the arc where the axes turn evenly in each of them, and at most [`MAX_PARTS`]. `None` where that is
+    /// not enough, as next to a pole, and where the first axis must turn before the arc begins.
+    #[must_use]
+    pub fn parts(&self, start: &JointAngles, tolerance_rad: f64) -> Option<Vec<JointAngles>> {
+        let first = self.angles(0.0);
+        let is_at_start = self.chain.joints().iter().map(|joint| joint.letter.index());
+        if !is_at_start.into_iter().all(|at| (first[at] - start[at]).abs() < START_TOLERANCE_RAD) {
+            return None;
+        }
+        let mut count = 1;
+        while count <= MAX_PARTS {
+            let share = |part: u32| f64::from(part) / f64::from(count);
+            let ends: Vec<JointAngles> = (0..=count).map(|part| self.angles(share(part))).collect();
+            // A part may lie on both sides of the arc, so that its middle alone says nothing.
+            let is_near = |(part, ends): (u32, &[JointAngles])| {
+                [0.25, 0.5, 0.75].into_iter().all(|within| {
+                    let angles = core::array::from_fn(|at| {
+                        ends[0][at] + (ends[1][at] - ends[0][at]) * within
+                    });
+                    let on_arc = self.direction((f64::from(part) + within) / f64::from(count));
+                    math::angle_between(self.chain.direction(&angles), on_arc) <= tolerance_rad
+                })
+            };
+            if (0..).zip(ends.windows(2)).all(is_near) {
+                return Some(ends[1..].to_vec());
+            }
+            count *= 2;
+        }
+        None
     }
 
     /// The angles of the two axes by the right-hand rule, without the turns of the start.

@@ -272,3 +272,33 @@ fn what_is_no_arc() {
     };
     assert!((beyond_rad.to_degrees() - 20.0).abs() < 1e-9);
 }
+
+#[test]
+fn parts_with_even_angles_stay_next_to_the_arc() {
+    const TOLERANCE_RAD: f64 = 1e-4;
+    let mut random = RandomNumbers(33);
+    let (mut compared, mut split) = (0, 0);
+    for chain in machines() {
+        for _ in 0..100 {
+            let (from, to) = (random.direction(), random.direction());
+            let Ok(solutions) = chain.joint_solutions(from) else { continue };
+            let start = solutions.as_slice()[0].angles;
+            let Ok(arc) = OrientationArc::new(&chain, from, to, &start) else { continue };
+            let Some(parts) = arc.parts(&start, TOLERANCE_RAD) else { continue };
+            assert_eq!(parts.last(), Some(&arc.angles(1.0)));
+            let normal = from.cross(to).normalized().expect("a plane");
+            let ends: Vec<_> = [start].into_iter().chain(parts).collect();
+            for pair in ends.windows(2) {
+                for share in [0.25, 0.5, 0.75] {
+                    let angles = std::array::from_fn(|axis| {
+                        pair[0][axis] + (pair[1][axis] - pair[0][axis]) * share
+                    });
+                    let away = chain.direction(&angles).dot(normal).abs();
+                    assert!(away < TOLERANCE_RAD * 1.5, "{away}");
+                }
+            }
+            (compared, split) = (compared + 1, split + usize::from(ends.len() > 2));
+        }
+    }
+    assert!(compared > 300 && split > 300, "{compared} arcs, {split} in parts");
+}

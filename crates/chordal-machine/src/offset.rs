@@ -4,7 +4,8 @@
 /// is `G154 P1`, `e3` is `E3`. `None`: no such work offset.
 ///
 /// The normalized names are: `G52`, `G54` to `G59`, `G59.1` to `G59.3`, `G54.1 P1` to `P300`, `G154 P1`
-/// to `P99`, `G59 P7` to `P254`, `E1` to `E48`, `G505` to `G599`, `EXT` (the common shift of all of them).
+/// to `P99`, `G59 P7` to `P254`, `E1` to `E48`, `G505` to `G599`, `EXT` (the common shift of all of them), and `G54.2 P1` to
+/// `P8`, the errors of clamped parts.
 pub fn work_offset_name(text: &str) -> Option<String> {
     let text: String =
         text.chars().filter(|c| !c.is_whitespace()).map(|c| c.to_ascii_uppercase()).collect();
@@ -20,6 +21,7 @@ pub fn work_offset_name(text: &str) -> Option<String> {
         let number = whole(number)?;
         return match code {
             "54" | "54.1" if (1..=300).contains(&number) => Some(format!("G54.1 P{number}")),
+            "54.2" if (1..=8).contains(&number) => Some(format!("G54.2 P{number}")),
             "59" if (1..=6).contains(&number) => Some(format!("G{}", number + 53)),
             "59" if (7..=254).contains(&number) => Some(format!("G59 P{number}")),
             "154" if (1..=99).contains(&number) => Some(format!("G154 P{number}")),
@@ -57,6 +59,7 @@ mod tests {
             ("G54.1 P1", "G54.1 P1"),
             ("G54.1P01", "G54.1 P1"),
             ("G54 P48", "G54.1 P48"),
+            ("G54.2P1", "G54.2 P1"),
             ("G154P99", "G154 P99"),
             ("G110", "G154 P1"),
             ("g59 p7", "G59 P7"),
@@ -74,7 +77,7 @@ mod tests {
         }
         for text in [
             "", "G", "G53", "G60", "G59.4", "G59 P0", "G59 P255", "E0", "E49", "E", "G154 P0",
-            "G54 P", "G130", "G504", "G600", "X",
+            "G54 P", "G54.2 P9", "G54.2", "G130", "G504", "G600", "X",
         ] {
             assert_eq!(name(text), None, "{text}");
         }

@@ -233,7 +233,7 @@ mine.toml:15: `1` is not an axis
   = a name with a point needs quotes: `work_offsets."G59.1"`
 mine.toml:17: `G60` is not a work offset
   ^ G60
-  = work offsets are G54 to G59, "G59.1" to "G59.3", "G54.1 P1" to P300, "G154 P1" to P99, "G59 P7" to P254, E1 to E48, G52 and EXT
+  = work offsets are G54 to G59, "G59.1" to "G59.3", "G54.1 P1" to P300, "G54.2 P1" to P8, "G154 P1" to P99, "G59 P7" to P254, E1 to E48, G52 and EXT
 mine.toml:18: `settings.No` takes a text, a number or `true`/`false`; this is a table
   ^ [settings.No]
   = a name with a point needs quotes, such as `"No. 3410" = 5`

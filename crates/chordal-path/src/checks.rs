@@ -53,6 +53,9 @@ pub struct RunChecks<'a> {
     speed_limit_example: &'static str,
     /// What the control shows when an axis would leave its travel; `None` where it is not known.
     travel_alarm: Option<String>,
+    /// What the control shows when a rotary axis cannot turn as fast as the feed of the tip needs; `None` on controls that
+    /// slow down, or of which it is not known.
+    tip_feed_alarm: Option<String>,
     /// No machine was chosen, and its limits are assumed: exceeding them is one note at the end.
     assumed: bool,
     /// The memory at the start of a program.
@@ -167,6 +170,7 @@ impl<'a> RunChecks<'a> {
             turns: machine.turns(),
             speed_limit_example: "",
             travel_alarm: None,
+            tip_feed_alarm: None,
             assumed: false,
             start: now.clone(),
             now,
@@ -188,9 +192,9 @@ impl<'a> RunChecks<'a> {
 
     /// Sets the alarms of the control.
     pub fn with_alarms(self, alarms: Alarms) -> RunChecks<'a> {
-        let text = alarms.text(Code::TravelExceeded);
-        let travel_alarm = text.map(|text| format!("{}: {text}", alarms.title));
-        RunChecks { travel_alarm, ..self }
+        let text = |code| alarms.text(code).map(|text| format!("{}: {text}", alarms.title));
+        let travel_alarm = text(Code::TravelExceeded);
+        RunChecks { travel_alarm, tip_feed_alarm: text(Code::TipFeedTooFast), ..self }
     }
 
     /// Sets whether no machine was chosen, so that its limits are assumed.

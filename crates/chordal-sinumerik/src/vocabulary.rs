@@ -106,6 +106,8 @@ const WORDS: &[(&str, &str)] = &[
     ("TRANSMIT", "X and Y on the face of a turned part"),
     ("TRACYL", "lengths around a cylinder: diameter"),
     ("TRAORI", "the tip follows the program while the tool turns"),
+    ("ORIVECT", "the tool turns from one direction to the next in the plane of both"),
+    ("ORIAXES", "the rotary axes turn evenly from one direction to the next"),
     ("TRAFOOF", "ends TRANSMIT, TRACYL and TRAORI"),
     ("SETMS", "the master spindle, to which S and M3, M4, M5 belong"),
 ];
@@ -133,8 +135,6 @@ const WITHOUT_PATH: &[&str] = &[
     "DIAMOF",
     "ORIWKS",
     "ORIMKS",
-    "ORIAXES",
-    "ORIVECT",
     "ORIEULER",
     "ORIRPY",
     "UPATH",
@@ -226,6 +226,7 @@ const WITH_EFFECT: &[&str] = &[
     "TRANS", "ATRANS", "ROT", "AROT", "SCALE", "ASCALE", "MIRROR", "AMIRROR", "SUPA", "CIP", "CT",
     "KONT", "KONTC", "KONTT", "RET", "DIAMON", "DIAM90", "ASPLINE", "BSPLINE", "CSPLINE", "POLY",
     "INVCW", "INVCCW", "G58", "G59", "TRANSMIT", "TRACYL", "TRAANG", "TRAORI", "TRAFOOF",
+    "ORIVECT", "ORIAXES",
 ];
 
 /// Names of calls that change neither the path nor the position.

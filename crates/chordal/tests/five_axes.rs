@@ -14,10 +14,10 @@ use chordal::stock::StockOptions;
 use chordal::{Diagnostic, Job, Machine, Severity, Source, SourceMap};
 
 /// How many there must be at least; more is better.
-const RIGHT: usize = 38;
+const RIGHT: usize = 40;
 const PLACES: usize = 237;
-const FAULTS: usize = 90;
-const ALARMS: usize = 50;
+const FAULTS: usize = 99;
+const ALARMS: usize = 56;
 
 /// A code that Chordal does not carry out: it finds no fault.
 const NOT_FOLLOWED: &str = "CH312";

@@ -2,7 +2,7 @@
 //! kinematic formulas, worked out apart from this code.
 
 use chordal::diagnostics::{Code, Severity};
-use chordal::motion::{MotionOptions, MotionStep};
+use chordal::motion::{MotionOptions, MotionStep, StepSource};
 use chordal::{Job, Machine, Source, SourceMap};
 
 /// C through X-300 Y-200 on A through Y-200 Z-400; G54 at (-300, -200, -380), and above it a tool of 100 mm.
@@ -80,6 +80,63 @@ fn traori_follows_the_tip_by_angles_and_by_the_direction_of_the_tool() {
     let job_by_vector = job(&by_vector, MACHINE);
     clean(&job_by_vector);
     assert_near(last(&job_by_vector), expected);
+}
+
+/// The largest angle between the tool and a plane through the origin, degrees, from a program with one cut.
+fn away_from_plane(text: &str, normal: [f64; 3]) -> (f64, usize) {
+    let job = job(text, MACHINE);
+    clean(&job);
+    let (mut away, mut count): (f64, usize) = (0.0, 0);
+    let taken = job.motion(&MotionOptions::default(), |step: &MotionStep, source: &StepSource| {
+        if let MotionStep::Move(motion) = step
+            && source.origin.line == CUT_LINE
+        {
+            let to = motion.to();
+            let (a, c) = (to[3], to[5]);
+            let tool = [a.sin() * c.sin(), -a.sin() * c.cos(), a.cos()];
+            let across: f64 = tool.iter().zip(normal).map(|(tool, normal)| tool * normal).sum();
+            (away, count) = (away.max(across.abs().asin().to_degrees()), count + 1);
+        }
+        Ok(())
+    });
+    assert!(taken.is_ok(), "limits");
+    (away, count)
+}
+
+/// The line of the cut after `HEAD` and the two lines before it.
+const CUT_LINE: u32 = 7;
+
+#[test]
+fn orivect_turns_the_tool_in_a_plane() {
+    // From 30 degrees towards -Y to 30 degrees towards +X: in between it is 26 degrees upright in the plane of both.
+    let (sin, cos) = (0.5, 0.75_f64.sqrt());
+    let (from, to) = ([0.0, -sin, cos], [sin, 0.0, cos]);
+    let cross: [f64; 3] = std::array::from_fn(|at| {
+        let (b, c) = ((at + 1) % 3, (at + 2) % 3);
+        from[b] * to[c] - from[c] * to[b]
+    });
+    let length = cross.iter().map(|part| part * part).sum::<f64>().sqrt();
+    let normal = cross.map(|part| part / length);
+    let program = |mode: &str| {
+        format!(
+            "{HEAD}TRAORI\n{mode} G1 A30 F500\nX20 A3={} B3={} C3={}\nTRAFOOF\nM30\n",
+            to[0], to[1], to[2]
+        )
+    };
+    let (away, count) = away_from_plane(&program("ORIVECT"), normal);
+    assert!(away < 0.006 && count > 8, "{away} in {count}");
+    let (away, _) = away_from_plane(&program("ORIAXES"), normal);
+    assert!((away - 10.0).abs() < 3.0, "{away}");
+    // Both end at the same angles.
+    for mode in ["ORIVECT", "ORIAXES"] {
+        let end = last(&job(&program(mode), MACHINE));
+        assert!((end[3] - 30.0).abs() < 1e-6 && (end[5] - 90.0).abs() < 1e-6, "{mode}: {end:?}");
+    }
+    // From the pole C would have to turn before the tool tilts, which is not followed and is said.
+    let from_pole = program("ORIVECT").replace("A30", "A0").replace("A3=0.5 B3=0", "A3=0.3 B3=0.4");
+    let found = job(&from_pole, MACHINE).check().diagnostics;
+    let told = found.iter().find(|found| found.code == Code::NotFollowed);
+    assert!(told.is_some_and(|found| found.message.contains("out of its plane")), "{found:?}");
 }
 
 #[test]

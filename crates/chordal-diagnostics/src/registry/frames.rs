@@ -161,4 +161,37 @@ end of the block. Letters that are left out are 0; without all three the directi
 
 A vector of length 0 is no direction. Words of rotary axes are not used while the vector gives them, and the axes must be
 able to bring the tool to that direction within their travel."#;
+
+    SwingingTool = 451, "swinging-tool", Warning;
+    "the tool swings aside while it cuts from one direction to the next";
+    r#"With tool centre point control by direction (G43.5) I, J and K say where the tool points at the end of a block. On the way
+there the rotary axes turn evenly. The tool then stays near the plane of its two directions where each axis turns by little.
+Where an axis would leave its travel, or where the tool passes near the pole of the first axis, the control takes another
+position of the axes: the table may turn by half a turn within one block, and the tool swings aside in the cut.
+
+    G1 X10. I0.34 J0 K0.94 F800.
+    X12. I-0.34 J0 K0.94         A cannot tilt to the other side: C turns by 180 degrees while the tool cuts
+
+Lift the tool off the part and turn by a rapid, or give more directions between, or clamp the part so that the axes have room."#;
+
+    TipFeedTooFast = 452, "tip-feed-too-fast", Warning;
+    "a rotary axis cannot turn as fast as the feed of the tip needs";
+    r#"Under tool centre point control (G43.4, G43.5) F is the speed of the tip against the part, and every rotary axis of the block
+turns in the same time. In a short block with a large angle, as next to the pole of a table, the axis would have to turn faster
+than it can.
+
+    F20000.
+    X6.599 Y-31.809 C190.     10 degrees in 7 mm
+
+Fanuc stops with alarm PS5422 where the speed is not clamped before. Use a lower F there, inverse time (G93), or shorter turns."#;
+
+    LengthAlongTool = 453, "length-along-tool", Error;
+    "five-axis length compensation that the control does not carry out so";
+    r#"G143 of Haas adds the length of the tool along its direction, as the heads A and B stand. It is for machines whose both rotary
+axes are heads, for G90, and for straight moves: G0 and G1. An axis that a block does not name stays where it is, even where the
+heads have turned: blocks name all five.
+
+    G90 G143 H2 X0. Y0. Z150. A0. B0.
+    G1 X12.5 Y5.2 Z11.9 A1. B5.5 F500.
+    G49"#;
 }

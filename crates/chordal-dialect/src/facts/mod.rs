@@ -250,6 +250,16 @@ fn length(code: LengthCode) -> CodeFacts {
             .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
             .rows(&[("H", "number of the length offset")])
             .example("{} H1 Z30."),
+        LengthCode::AlongTool => PLAIN
+            .problems(&[
+                Code::OffsetNotSet,
+                Code::LengthOffsetOfOtherTool,
+                Code::KinematicsNotKnown,
+                Code::LengthAlongTool,
+            ])
+            .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
+            .rows(&[("H", "number of the length offset")])
+            .example("{} H1 X0. Y0. Z30. A0. B0."),
         LengthCode::ToolCenterByVector => PLAIN
             .problems(&[
                 Code::OffsetNotSet,

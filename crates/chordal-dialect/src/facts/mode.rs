@@ -63,6 +63,10 @@ pub(super) fn facts(code: ModeCode) -> CodeFacts {
             .problems(&[Code::ShiftInCompensation])
             .rows(&[("P", "number of the extended work offset")])
             .example("{} P1"),
+        ModeCode::FixtureError => PLAIN
+            .problems(&[Code::OffsetNotSet, Code::KinematicsNotKnown])
+            .rows(&[("P", "number of the fixture offset; P0 ends it")])
+            .example("{} P1"),
         ModeCode::WorkOffsetByOrdinal => PLAIN
             .problems(&[Code::ShiftInCompensation])
             .rows(&[("P", "number of the work offset; P1 is G54")])

@@ -16,7 +16,10 @@ const CYCLES: Choices<bool> = &[("allowed", true), ("warned", false)];
 
 const FACTORS: Choices<bool> = &[("one", false), ("each", true)];
 
+const TIP_FRAMES: Choices<bool> = &[("table", false), ("stays", true)];
+
 setting_fields! {
+    FRAME_OF_TIP = choice(rules.frames.tip_frame_stays, TIP_FRAMES);
     FRAME_ANGLE_ADDS = choice(rules.frames.angle_adds, ANGLES);
     FRAME_OMITTED_ANGLE = custom(
         |p, input| {

@@ -349,7 +349,8 @@ impl BlockCheck<'_> {
                 | LengthCode::Minus
                 | LengthCode::Add
                 | LengthCode::ToolCenter
-                | LengthCode::ToolCenterByVector,
+                | LengthCode::ToolCenterByVector
+                | LengthCode::AlongTool,
             )
             | None => {}
         }

@@ -70,7 +70,8 @@ fn length_axes(code: LengthCode) -> Option<AxisUse> {
         | LengthCode::Minus
         | LengthCode::Add
         | LengthCode::ToolCenter
-        | LengthCode::ToolCenterByVector => None,
+        | LengthCode::ToolCenterByVector
+        | LengthCode::AlongTool => None,
     }
 }
 

@@ -44,6 +44,7 @@ mod surface;
 mod thread;
 mod thread_height;
 mod tilted_plane;
+mod tool_length;
 mod tool_vector;
 mod turning;
 mod turning_contour;
@@ -200,6 +201,8 @@ struct ReportedOnce {
     points_seen: bool,
     excess_decimals: bool,
     sender_changes_tools: bool,
+    /// Increments while the length acts along the tool.
+    incremental_along_tool: bool,
     /// A deletable block that affects others.
     deletable: bool,
     /// Another channel, and the second spindle of a lathe.

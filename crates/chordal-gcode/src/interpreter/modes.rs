@@ -252,6 +252,7 @@ impl Interpreter<'_> {
                 self.kernel.select_work(WorkName::Extended(number));
             }
             ModeCode::WorkOffsetExtended => self.select_extended_work(block, at),
+            ModeCode::FixtureError => self.select_fixture_error(block, at),
             ModeCode::WorkOffsetByOrdinal => self.select_work_by_ordinal(block, at),
             ModeCode::Path(code) => self.take_path_mode(block, row, code, at),
             ModeCode::Overrides { on, rapid } => {
@@ -403,8 +404,12 @@ impl Interpreter<'_> {
             code @ (LengthCode::ToolCenter | LengthCode::ToolCenterByVector),
         )) = by_code
         {
-            self.begin_tool_center(block, length_code);
-            self.kernel.state.tool_by_vector = code == LengthCode::ToolCenterByVector;
+            self.begin_tool_center(block, length_code, code == LengthCode::ToolCenterByVector);
+        }
+        if let Some((row, at)) = length_code
+            && row.action == Action::Length(LengthCode::AlongTool)
+        {
+            self.begin_length_along_tool(block, *at);
         }
         let adds = self.control.parameters.rules.length.adds_to_increment;
         let is_once = codes.iter().any(|(row, _)| matches!(row.action, Action::Once(_)));
@@ -432,19 +437,6 @@ impl Interpreter<'_> {
             Some(follow_tip) => self.kernel.switch_kinematics(follow_tip),
             None => self
                 .not_followed(&block.words[at], "kinematics that the machine file does not give"),
-        }
-    }
-
-    /// G43.4, G234: from here on coordinates are those of the tip.
-    fn begin_tool_center(&mut self, block: &Block, code: Option<&(&'static CodeRow, usize)>) {
-        if let Some((_, at)) = code {
-            self.check_begin_of_tool_center(block, *at);
-        }
-        self.kernel.begin_tool_center();
-        let error = self.kernel.rotary_chain().err();
-        if let (Some(error), Some((_, at))) = (error, code) {
-            let (name, span) = (self.code_text(block, *at), self.span(block.words[*at].range));
-            self.kernel.report_no_kinematics(span, &name, &error);
         }
     }
 

@@ -1,5 +1,7 @@
 //! Targets, straight moves, the F word, and the choice between line, arc, spiral and cycle.
 
+use std::f64::consts::TAU;
+
 use chordal_command::{AxisMask, FeedMode, Position, Units, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_dialect::table::MotionModality;
@@ -7,10 +9,17 @@ use chordal_dialect::{Action, MotionCode, ReadingCode};
 use chordal_geometry::TurnDirection;
 use chordal_kernel::rules::{CycleKind, TurnCycle};
 use chordal_kernel::{ModalMotion, SplineForm};
+use chordal_machine::{Axis, RolloverRule};
 use chordal_syntax::{Block, Letters, Word};
 
 use super::Interpreter;
 use super::literals::AXIS_OF;
+
+/// A turn, degrees.
+const TURN_DEG: f64 = 360.0;
+
+/// What conversions from degrees leave of a turn, rad: less than the least increment of any control.
+const ANGLE_ROUNDING_RAD: f64 = 1e-12;
 
 /// The number of linear axes, before which no axis rolls over.
 const LINEAR_AXES: usize = 3;
@@ -44,7 +53,7 @@ impl Interpreter<'_> {
                 target[axis] = match (self.kernel.state.incremental, axis) {
                     (true, _) => from[axis] + value,
                     (false, 0..3) => value,
-                    (false, _) => self.rotary_target(axis, from[axis], value),
+                    (false, _) => self.rotary_target(word, axis, from[axis], value),
                 };
                 named.insert(axis);
             } else if let Some(axis) = self.increment_axis(word) {
@@ -80,11 +89,34 @@ impl Interpreter<'_> {
 
     /// The position of a rotary axis that a word names, rad: where the axis rolls over, the word is an angle on the circle,
     /// and the position counts turns.
-    fn rotary_target(&self, axis: usize, from: f64, value: f64) -> f64 {
-        match self.machine.rotary[axis - LINEAR_AXES].rollover {
+    fn rotary_target(&mut self, word: &Word, axis: usize, from: f64, value: f64) -> f64 {
+        let rollover = self.machine.rotary[axis - LINEAR_AXES].rollover;
+        if rollover == Some(RolloverRule::Sign) && value.abs() > TAU - ANGLE_ROUNDING_RAD {
+            self.report_beyond_turn(word, axis, value);
+        }
+        match rollover {
             Some(rule) if self.kernel.state.known.has(axis) => from + rule.movement(from, value),
             _ => value,
         }
+    }
+
+    /// Reports an absolute angle of a whole turn or more, on controls that refuse it.
+    #[cold]
+    fn report_beyond_turn(&mut self, word: &Word, axis: usize, value: f64) {
+        let Some(alarm) = self.control.table.rollover_beyond_turn else { return };
+        let letter = Axis::ALL[axis].letter();
+        let degrees = number_text(value.to_degrees(), 3);
+        let alarm = alarm.replace("{axis}", &letter.to_string());
+        let alarm = alarm.replace("{value}", &format!("{:.2}", value.to_degrees()));
+        let message =
+            format!("{letter} rolls over after a turn, and {degrees} deg is not within it");
+        let within = number_text(value.to_degrees() % TURN_DEG, 3);
+        let diagnostic = Diagnostic::new(Code::BadWordValue, self.span(word.range), message)
+            .label("above -360 and below 360 deg")
+            .help(format!(
+                "write {within}, with the sign of the direction; more turns need a block each, or G91"
+            ));
+        self.report_refused(diagnostic, &alarm);
     }
 
     /// The axis that a letter moves by an increment (U for X); `None` for other letters.
@@ -164,8 +196,15 @@ impl Interpreter<'_> {
         );
         let arc = matches!(explicit, Some(MotionCode::ArcCw | MotionCode::ArcCcw));
         match cycle {
-            Some((kind, radial)) => self.start_cycle(block, kind, radial),
-            _ if self.kernel.state.cycle.is_some() && !arc => self.next_hole(block),
+            Some((kind, radial)) => {
+                self.check_straight_along_tool(block, "a canned cycle");
+                self.check_turn_in(block, "a canned cycle");
+                self.start_cycle(block, kind, radial);
+            }
+            _ if self.kernel.state.cycle.is_some() && !arc => {
+                self.check_turn_in(block, "a canned cycle");
+                self.next_hole(block);
+            }
             _ => self.motion_block(block, explicit),
         }
     }
@@ -242,6 +281,9 @@ impl Interpreter<'_> {
         }
         match self.kernel.state.motion {
             ModalMotion::Rapid | ModalMotion::Linear => {
+                if named.and(AxisMask::ROTARY) != AxisMask::NONE {
+                    self.kernel.turn_fixture_error(&target);
+                }
                 if self.kernel.state.part_frame.is_some() {
                     self.straight_on_part(block, target, named);
                 } else if named != AxisMask::NONE {
@@ -254,10 +296,18 @@ impl Interpreter<'_> {
                     let message = "an arc with I, J and K under G43.5 is not followed";
                     self.lose_path(range, message.to_string());
                 }
+                self.check_straight_along_tool(block, "an arc");
+                self.check_arc_in_fixed_frame(block, &target, named);
+                if self.kernel.state.offsets.fixture().number != 0 {
+                    self.check_turn_in(block, "an arc");
+                }
                 let direction = self.direction_on_surface(direction);
                 self.arc_block(block, direction, target, named, explicit);
             }
-            ModalMotion::Spiral(direction) => self.spiral_block(block, direction, target, named),
+            ModalMotion::Spiral(direction) => {
+                self.check_straight_along_tool(block, "a spiral");
+                self.spiral_block(block, direction, target, named);
+            }
             ModalMotion::Thread => self.thread_block(block, target, named, false),
             ModalMotion::RigidTap => self.thread_block(block, target, named, true),
             ModalMotion::Turn(pass) => self.turn_block(block, pass, target, named, explicit),

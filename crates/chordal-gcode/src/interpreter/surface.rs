@@ -491,6 +491,7 @@ fn mode_on_surface(code: ModeCode, state: &SurfaceState, rules: &SurfaceRules) -
         ModeCode::WorkOffset(_)
         | ModeCode::WorkOffsetPoint(_)
         | ModeCode::WorkOffsetExtended
+        | ModeCode::FixtureError
         | ModeCode::WorkOffsetByOrdinal
         | ModeCode::StoreReference { .. }
         | ModeCode::WorkOffsetNumbered(_)

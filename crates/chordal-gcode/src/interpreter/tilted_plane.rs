@@ -312,7 +312,18 @@ impl Interpreter<'_> {
     }
 
     /// Tool centre point control begins: it does not go with an origin that rides on the tables.
-    pub(super) fn check_begin_of_tool_center(&mut self, block: &Block, at: usize) {
+    /// The direction of the tool by a vector does not go with a frame that stays.
+    pub(super) fn check_begin_of_tool_center(&mut self, block: &Block, at: usize, by_vector: bool) {
+        if by_vector && self.control.parameters.rules.frames.tip_frame_stays {
+            let name = self.code_text(block, at);
+            let message = format!("{name} while the frame of the tip stays");
+            let diagnostic =
+                Diagnostic::new(Code::ToolVector, self.span(block.words[at].range), message)
+                    .label("the frame of a direction rides on the table")
+                    .help("begin with G43.4 and write the rotary axes, or let the frame ride");
+            let alarm = self.control.table.tilted_plane.vector_in_fixed_frame;
+            self.report_plane_diagnostic(diagnostic, alarm);
+        }
         if self.kernel.state.origin_on_table {
             let name = self.code_text(block, at);
             let message = format!("{name} while the dynamic work offset is on");

@@ -1,16 +1,22 @@
 //! Straight moves in a frame of the part: the direction of the tool as a vector (G43.5), and rotary axes that turn while the
 //! origin rides on the tables (G254).
 
-use chordal_command::{AxisMask, Position};
+use chordal_command::{AxisMask, Position, number_text};
 use chordal_diagnostics::{Code, Diagnostic, Severity, Span};
 use chordal_geometry::Vec3;
 use chordal_kernel::{ModalMotion, TurnError};
+use chordal_machine::Axis;
 use chordal_syntax::{Block, Letters};
 
 use super::Interpreter;
 
 /// The index of Z among the axes.
 const Z: usize = 2;
+
+/// How far the tool may swing out of the plane of two directions in a cut, degrees. Blocks of a posted program stay far
+/// below: they are as short as the tolerance of the surface asks for. Next to the pole a table may turn by half a turn,
+/// and the tool swings by less than this.
+const LARGEST_SWING_DEG: f64 = 2.0;
 
 const VECTOR: Letters = Letters::of("IJK");
 
@@ -38,6 +44,10 @@ impl Interpreter<'_> {
         if self.kernel.state.origin_on_table {
             return self.straight_from_table(block, target, named);
         }
+        if self.kernel.state.length_along_tool {
+            return self.straight_along_tool(block, target, named);
+        }
+        self.kernel.turn_fixed_frame(&target);
         self.kernel.straight(&self.at(block), target, named);
     }
 
@@ -95,6 +105,9 @@ impl Interpreter<'_> {
         }
         match self.kernel.rotary_of_direction(vector) {
             Ok(angles) => {
+                if self.kernel.state.motion == ModalMotion::Linear {
+                    self.check_swing(span, &angles);
+                }
                 target[3..].copy_from_slice(&angles);
                 *named = named.or(self.kernel.rotary_axes());
             }
@@ -118,6 +131,31 @@ impl Interpreter<'_> {
             if number.has_point { Some(number.to_f64()) } else { self.word_degrees(word) }
         };
         Vec3::from_array(b"IJK".map(|letter| component(letter).unwrap_or(0.0)))
+    }
+
+    /// Warns of a cut in which the tool does not go from one direction to the next near the plane of both.
+    fn check_swing(&mut self, span: Span, angles: &[f64; 3]) {
+        let Some(swing) = self.kernel.swing_of_tool(angles) else { return };
+        if swing.to_degrees() <= LARGEST_SWING_DEG {
+            return;
+        }
+        let from = self.kernel.state.position;
+        let turns = (0..3).filter_map(|index| {
+            let turn = (angles[index] - from[index + 3]).to_degrees();
+            let letter = Axis::ALL[index + 3].letter();
+            let degrees = number_text(turn, 3);
+            (degrees != "0").then(|| format!("{letter} by {degrees} deg"))
+        });
+        let turns = turns.collect::<Vec<_>>().join(" and ");
+        let swing = number_text(swing.to_degrees(), 1);
+        let message =
+            format!("the tool swings {swing} deg out of the plane of its two directions in a cut");
+        self.kernel.report(
+            Diagnostic::new(Code::SwingingTool, span, message)
+                .label(format!("turns {turns} within this block"))
+                .note(format!("up to {LARGEST_SWING_DEG} deg is not reported"))
+                .help("turn by a rapid with the tool off the part, or give directions between"),
+        );
     }
 
     fn report_tool_vector(&mut self, span: Span, message: String, help: &str) {

@@ -16,6 +16,9 @@ pub(super) fn work_of_ordinal(number: u32) -> Option<WorkName> {
     WorkName::of_ordinal(u16::try_from(number).ok().filter(|n| u32::from(*n) <= MAX_WORK_ORDINAL)?)
 }
 
+/// The last fixture offset of the table (Fanuc 30i).
+const LAST_FIXTURE_ERROR: u32 = 8;
+
 impl Interpreter<'_> {
     /// Carries out G54.1 P or G154 P.
     pub(super) fn select_extended_work(&mut self, block: &Block, at: usize) {
@@ -89,6 +92,30 @@ impl Interpreter<'_> {
         let help = format!("give it in the machine file: `[work_offsets.{key}]`");
         let span = self.words_span(block, Letters(1 << (letter as u8 - b'A')));
         self.lose_path_once(span, message, help);
+    }
+
+    /// G54.2: the error of a clamped part turns with the tables.
+    pub(super) fn select_fixture_error(&mut self, block: &Block, at: usize) {
+        let span = self.span(block.words[at].range);
+        match self.count_of(block, b'P') {
+            Some(0) => self.kernel.select_fixture_error(span, 0),
+            Some(_) if self.kernel.state.part_frame.is_some() => {
+                let what = "a fixture offset in a frame of the part";
+                self.not_followed(&block.words[at], what);
+            }
+            Some(number) if number <= LAST_FIXTURE_ERROR => {
+                self.kernel.select_fixture_error(span, number as u16);
+            }
+            Some(number) => self.report_no_offset(
+                block,
+                format!("there is no fixture offset P{number}"),
+                &format!("P1 to P{LAST_FIXTURE_ERROR}, and P0 ends it"),
+            ),
+            None => {
+                let message = "a fixture offset without its number".to_string();
+                self.kernel.missing_word(span, message, "write P and the number after the code");
+            }
+        }
     }
 
     fn report_no_offset(&mut self, block: &Block, message: String, help: &str) {

@@ -564,7 +564,9 @@ impl Kernel<'_> {
     /// Reports a rotary axis in an arc block, on a control that does not move it there.
     pub fn check_rotary_in_arc(&mut self, at: &dyn Statement, target: &Position) {
         let turns = target[3..] != self.state.position[3..];
-        if self.rules.arc.rotary_in_arc || !turns {
+        // Tool centre point control is made to turn while the tip goes along an arc.
+        let follows_tip = self.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip);
+        if self.rules.arc.rotary_in_arc || !turns || follows_tip {
             return;
         }
         let title = self.alarms.title;

@@ -2,6 +2,7 @@
 
 mod arc;
 mod corner;
+mod great_circle;
 mod reference;
 mod rotary_feed;
 mod spiral;

@@ -5,6 +5,9 @@
 pub struct FrameRules {
     /// Which of several positions of the rotary axes is taken where a plane gives their direction alone.
     pub rotary_choice: RotaryChoice,
+    /// Under tool centre point control the axes of the program stay those of the machine, and end points are where the tip
+    /// is after the tables have turned; otherwise they ride on the table (Fanuc No. 19696#5, WKP).
+    pub tip_frame_stays: bool,
     /// In G91 the angle of a rotation is added to the active one.
     pub angle_adds: bool,
     /// The angle of a rotation without an angle word, degrees.
@@ -88,6 +91,7 @@ impl FrameRules {
     /// The rules most controls share; a table names only its differences.
     pub const COMMON: FrameRules = FrameRules {
         rotary_choice: RotaryChoice::LeastMovement,
+        tip_frame_stays: false,
         angle_adds: false,
         omitted_angle_deg: 0.0,
         angle_is_kept: false,

@@ -268,7 +268,8 @@ pub(crate) fn bind(
         "<offset>" => {
             keys.name = work_offset_name(key).ok_or_else(|| {
                 let help = "work offsets are G54 to G59, \"G59.1\" to \"G59.3\", \"G54.1 P1\" to \
-                            P300, \"G154 P1\" to P99, \"G59 P7\" to P254, E1 to E48, G52 and EXT";
+                            P300, \"G54.2 P1\" to P8, \"G154 P1\" to P99, \"G59 P7\" to P254, E1 to E48, G52 and \
+                            EXT";
                 (format!("`{key}` is not a work offset"), help.to_string())
             })?;
         }

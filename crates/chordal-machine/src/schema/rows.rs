@@ -415,7 +415,7 @@ pub(crate) const ROWS: &[SchemaRow] = &[
         slot: SchemaSlot::Table(|m, k| {
             work_offset(m, k);
         }),
-        doc: "a work offset: `G54` to `G59`, `\"G59.1\"` to `\"G59.3\"`, `\"G54.1 P1\"`, `\"G154 P1\"` (also `G110`), `\"G59 P7\"`, `E1` to `E48`, `G52`, `EXT`. A name with a point or a space needs quotes",
+        doc: "a work offset: `G54` to `G59`, `\"G59.1\"` to `\"G59.3\"`, `\"G54.1 P1\"`, `\"G154 P1\"` (also `G110`), `\"G59 P7\"`, `E1` to `E48`, `G52`, `EXT`; `\"G54.2 P1\"` is the error of a clamped part, with A, B and C at which it was measured. A name with a point or a space needs quotes",
     },
     position(
         "work_offsets.<offset>.<axis>",

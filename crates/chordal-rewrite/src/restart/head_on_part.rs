@@ -119,10 +119,8 @@ impl HeadWriter<'_, '_> {
     /// The rotary axes on which the frame of the part depends; none without a frame.
     fn rotary_axes(&self) -> AxisMask {
         let frame = self.before.frame.part_frame.as_ref();
-        let mut axes = AxisMask::NONE;
-        let joints = frame.and_then(|frame| frame.chain.as_ref()).map(|chain| chain.joints());
-        joints.into_iter().flatten().for_each(|joint| axes.insert(3 + joint.letter.index()));
-        axes
+        let chain = frame.and_then(|frame| frame.chain.as_ref());
+        chain.map_or(AxisMask::NONE, AxisMask::of_chain)
     }
 
     /// The place that lies along the tool at the height where the program has been clear.

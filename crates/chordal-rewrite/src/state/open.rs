@@ -79,7 +79,9 @@ impl OpenConstructs {
             Action::Once(OnceCode::Surface(code)) => {
                 (self.frame, self.frames.surface) = (line, begins_surface(block, code));
             }
-            Action::Length(LengthCode::ToolCenter | LengthCode::ToolCenterByVector)
+            Action::Length(
+                LengthCode::ToolCenter | LengthCode::ToolCenterByVector | LengthCode::AlongTool,
+            )
             | Action::Once(OnceCode::TiltedPlane(
                 TiltedPlaneCode::Define { .. }
                 | TiltedPlaneCode::DefineByAxes

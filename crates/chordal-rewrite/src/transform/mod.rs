@@ -23,7 +23,7 @@ mod units;
 mod writer;
 
 use chordal::Job;
-use chordal::control::{Action, LengthCode, MotionCode, OnceCode, SurfaceCode, Units};
+use chordal::control::{Action, LengthCode, ModeCode, MotionCode, OnceCode, SurfaceCode, Units};
 use chordal::geometry::{Transform, Vec3};
 use chordal_compare::{Category, ComparisonOptions, ComparisonVerdict, RunMapping};
 
@@ -233,8 +233,10 @@ fn without_roles(action: Action) -> Option<(&'static str, &'static str)> {
     }
     let is_on_part = matches!(
         action,
-        Action::Length(LengthCode::ToolCenter | LengthCode::ToolCenterByVector)
-            | Action::Once(OnceCode::TiltedPlane(_))
+        Action::Length(
+            LengthCode::ToolCenter | LengthCode::ToolCenterByVector | LengthCode::AlongTool,
+        ) | Action::Once(OnceCode::TiltedPlane(_))
+            | Action::Mode(ModeCode::FixtureError)
     );
     if is_on_part {
         let help = "move the work offset in place of the program";

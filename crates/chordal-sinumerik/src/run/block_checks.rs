@@ -25,6 +25,7 @@ const GROUPS_OF_NAMES: &[(u32, &[&str])] = &[
     (30, &["COMPOF", "COMPON", "COMPCURV", "COMPCAD", "COMPSURF"]),
     (37, &["FNORM", "FLIN", "FCUB"]),
     (45, &["SPATH", "UPATH"]),
+    (51, &["ORIVECT", "ORIAXES"]),
     (55, &["RTLION", "RTLIOF"]),
     (59, &["DYNNORM", "DYNPOS", "DYNROUGH", "DYNSEMIFIN", "DYNFINISH"]),
 ];

@@ -193,6 +193,8 @@ impl Interpreter<'_> {
                     format!("{name} is not followed: its points are joined by straight cuts"),
                 );
             }
+            "ORIVECT" => self.modes.turns_in_plane = true,
+            "ORIAXES" => self.modes.turns_in_plane = false,
             "DIAMON" | "DIAM90" if !self.kernel.machine.turns() => self
                 .not_followed(range, format!("{name} is not followed: this machine is no lathe")),
             "DIAMON" => self.modes.transverse = TransverseReading::Diameter,

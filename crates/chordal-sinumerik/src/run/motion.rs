@@ -1,6 +1,6 @@
 //! Axis words → targets, straight moves, rapids, roundings.
 
-use chordal_command::{AxisMask, Position};
+use chordal_command::{AxisMask, Position, number_text};
 use chordal_diagnostics::{Code, TextRange};
 use chordal_kernel::frames::sin_cos_degrees;
 use chordal_kernel::{CornerForm, ModalMotion, ProgrammedCorner};
@@ -25,6 +25,9 @@ pub struct BlockTarget {
 
 /// How far the end point of a line may be off the direction of its ANG, mm.
 const COINCIDENT_LINE_MM: f64 = 0.001;
+
+/// How far from the plane of its two directions the tool may be under ORIVECT without a word of it, degrees.
+const LARGEST_UNSAID_DEG: f64 = 0.1;
 
 impl Interpreter<'_> {
     /// Moves, if the block has a motion; false if nothing moves.
@@ -67,7 +70,12 @@ impl Interpreter<'_> {
         match self.modes.motion {
             PathMotion::Rapid | PathMotion::Linear | PathMotion::NotFollowed => {
                 self.line_of_contour(words, &target);
-                self.kernel.straight(&view, target.end, target.named);
+                if self.turns_in_plane(words) {
+                    let away = self.kernel.straight_in_plane(&view, target.end, target.named);
+                    self.check_away_from_plane(range, away);
+                } else {
+                    self.kernel.straight(&view, target.end, target.named);
+                }
                 let end = self.kernel.state.position;
                 let along: [f64; 3] = std::array::from_fn(|axis| end[axis] - start[axis]);
                 if along.iter().any(|value| *value != 0.0) {
@@ -85,6 +93,29 @@ impl Interpreter<'_> {
         self.lose_axes(words.astray);
         self.kernel.corner_move_done();
         true
+    }
+
+    /// Whether the tool turns in the plane of its two directions in this block: a cut to a direction under ORIVECT. A corner
+    /// that is rounded or compensated is made of one move.
+    fn turns_in_plane(&self, words: &BlockWords) -> bool {
+        self.modes.turns_in_plane
+            && self.modes.motion == PathMotion::Linear
+            && words.directions.iter().any(Option::is_some)
+            && self.modes.modal_rounding_mm == 0.0
+            && ["RND", "CHR", "CHF"].iter().all(|name| words.other(name).is_none())
+            && !self.kernel.is_compensating()
+    }
+
+    /// Says that a turn under ORIVECT was made by even angles, where that is more than a little away from the plane.
+    fn check_away_from_plane(&mut self, range: TextRange, away_rad: f64) {
+        if away_rad.to_degrees() <= LARGEST_UNSAID_DEG {
+            return;
+        }
+        let away = number_text(away_rad.to_degrees(), 1);
+        let message = format!(
+            "this turn under ORIVECT is not followed: with even angles of the axes the tool is {away} deg out of its plane"
+        );
+        self.not_followed(range, message);
     }
 
     /// A straight move after the one with which compensation began tells how the contour begins.

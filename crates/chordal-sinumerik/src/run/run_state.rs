@@ -221,6 +221,8 @@ pub struct LanguageModes {
     pub has_jumped_back: bool,
     /// What the caller, or a program that is not given, has set is not known: tool, edge, feed, speed, modal cycle.
     pub is_state_unknown: bool,
+    /// ORIVECT: the tool turns in the plane of its two directions; otherwise the rotary axes turn evenly (ORIAXES).
+    pub turns_in_plane: bool,
     /// The edge that is active; 0 for none.
     pub edge: u32,
     /// The tool in the spindle has a name that no tool of the machine file has.
@@ -272,6 +274,7 @@ impl Default for LanguageModes {
             intersects_corners: false,
             has_jumped_back: false,
             is_state_unknown: false,
+            turns_in_plane: false,
             edge: 0,
             unknown_tool: false,
             master_spindle: MAIN_SPINDLE,

@@ -145,11 +145,7 @@ impl<'m> MoveFollower<'m> {
     ) -> Result<(Vec<AxisMove>, AxisMask), &'static str> {
         let Some(part_frame) = self.frame.part_frame.clone() else { return Ok(Default::default()) };
         let offsets = self.frame.offsets();
-        let axes = part_frame.chain.map_or(AxisMask::ROTARY, |chain| {
-            let mut axes = AxisMask::NONE;
-            chain.joints().iter().for_each(|joint| axes.insert(3 + joint.letter.index()));
-            axes
-        });
+        let axes = part_frame.chain.as_ref().map_or(AxisMask::ROTARY, AxisMask::of_chain);
         let knows = |known: AxisMask| {
             known.covers(AxisMask::LINEAR.or(axes)) && self.frame.known.covers(AxisMask::LINEAR)
         };

@@ -164,7 +164,8 @@ impl<'a> StockMoves<'a> {
             leaves_out_turned: false,
             visited: VisitedPlaces::default(),
             follows_tip: false,
-            is_frame_at_activation: job.machine().tcp_frame == TcpFrame::Activation,
+            is_frame_at_activation: job.machine().tcp_frame == TcpFrame::Activation
+                || job.rules().frames.tip_frame_stays,
             is_frame_turned: false,
             turned_end: None,
             turning_tools: BTreeSet::new(),

@@ -43,4 +43,5 @@ pub(in crate::controls) const ALARMS: &[(Code, &str)] = &[
     (Code::ScaledOverflow, "PS0143 COMMAND DATA OVERFLOW"),
     (Code::UnequalScaleArc, "PS0020 OVER TOLERANCE OF RADIUS"),
     (Code::FramePlane, "PS0144 ILLEGAL PLANE SELECTED"),
+    (Code::TipFeedTooFast, "PS5422 EXCESS VELOCITY IN G43.4/G43.5"),
 ];

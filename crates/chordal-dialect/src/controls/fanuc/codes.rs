@@ -69,7 +69,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(536, CodeGroup::OneShot, Once(TiltedPlane(TiltedPlaneCode::Turn { holds_tip: true })), "P", "tool axis direction, tool tip held"),
     row(540, CodeGroup::WorkOffset, Mode(WorkOffset(54)), "P", "work offset 1; with P an extended work offset"),
     row(541, CodeGroup::WorkOffset, Mode(WorkOffsetExtended), "P", "extended work offset"),
-    row(542, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "offset of a turned part"),
+    row(542, CodeGroup::Auxiliary, Mode(FixtureError), "P", "dynamic fixture offset"),
     row(550, CodeGroup::WorkOffset, Mode(WorkOffset(55)), "", "work offset 2"),
     row(560, CodeGroup::WorkOffset, Mode(WorkOffset(56)), "", "work offset 3"),
     row(570, CodeGroup::WorkOffset, Mode(WorkOffset(57)), "", "work offset 4"),

@@ -86,6 +86,8 @@ pub(super) const TILTED_PLANE: TiltedPlaneRules = TiltedPlaneRules {
     without_plane: Some("PS5458 ILLEGAL USE OF G53.1"),
     unreachable: Some("PS5459 MACHINE PARAMETER INCORRECT"),
     rotary_with_vector: None,
+    vector_in_fixed_frame: Some("PS5459 MACHINE PARAMETER INCORRECT"),
+    arc_while_turning: Some("PS5421 ILLEGAL COMMAND IN G43.4/G43.5"),
 };
 
 /// Alarm list of the 30i: three-dimensional coordinate conversion.

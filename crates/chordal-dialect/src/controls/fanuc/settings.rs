@@ -33,6 +33,7 @@ pub(super) const SETTINGS: &[Setting] = &[
     BLOCKS_READ_15I,
     CORNER,
     AVOIDANCE,
+    TIP_FRAME,
     setting(
         "No. 6004#0",
         SettingField::MACRO_ANGLES,
@@ -407,6 +408,16 @@ const CORNER: Setting = setting(
     "CCC: outside corners by straight lines or by arcs",
     Certainty::Practice,
     "30i",
+);
+
+/// WKP: the frame of tool centre point control.
+const TIP_FRAME: Setting = setting(
+    "No. 19696#5",
+    SettingField::FRAME_OF_TIP,
+    &[("0", "table"), ("1", "stays")],
+    "WKP: under G43.4 the coordinates ride on the table (0), or their axes stay those of the machine (1): then X, Y and Z are the end after the table has turned, and G43.5 is PS5459",
+    Certainty::Documented,
+    "A-79348E, 30i",
 );
 
 /// CAV: remedy for interference.

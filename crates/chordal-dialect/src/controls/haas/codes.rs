@@ -121,7 +121,7 @@ pub(super) const G_CODES: &[CodeRow] = &[
     row(1290, CodeGroup::WorkOffset, Mode(WorkOffsetNumbered(20)), "", "work offset G154 P20"),
     row(1360, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "work offset centre measurement"),
     row(1410, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "3D cutter compensation"),
-    row(1430, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "five-axis length compensation"),
+    row(1430, CodeGroup::ToolLength, Length(AlongTool), "H", "five-axis length compensation"),
     row(1500, CodeGroup::OneShot, Once(GeneralPocket), "RPQIJKDS", "pocket of any outline"),
     row(1540, CodeGroup::WorkOffset, Mode(WorkOffsetExtended), "P", "extended work offset"),
     row(1550, CodeGroup::Auxiliary, NotFollowed, ANY_WORDS, "work offset by probe"),

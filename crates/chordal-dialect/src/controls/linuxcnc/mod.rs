@@ -38,6 +38,8 @@ pub(in crate::controls) const MILL: ControlTable = ControlTable {
         certainty: Certainty::Documented,
     },
     word_rules: words::WORD_RULES,
+    // interp_check.cc: `fabs(number) >= 360` on an axis with WRAPPED_ROTARY.
+    rollover_beyond_turn: Some("Invalid absolute position {value} for wrapped rotary axis {axis}"),
     work_names: WorkNaming { extended: "G59", first: 1, by_e: false },
     program_numbers: ProgramNumbers { largest: 99999, digits: 1, required: false },
     macros: &MACROS,

@@ -99,6 +99,8 @@ pub(super) const TILTED_PLANE: TiltedPlaneRules = TiltedPlaneRules {
     without_plane: Some("M01 0185"),
     unreachable: None,
     rotary_with_vector: Some("P33"),
+    vector_in_fixed_frame: None,
+    arc_while_turning: None,
 };
 
 /// Codes that are not allowed while a rotation in space is active: G41.1, G51, G52 and G54 to G59, in tenths.
