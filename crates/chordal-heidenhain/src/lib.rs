@@ -1,0 +1,10 @@
+//! The conversational language of HEIDENHAIN controls (Klartext): reads programs and drives the kernel.
+//!
+//! `syntax` reads the text into blocks and never fails; `values` are those of parameters and formulas; `geometry` has
+//! tangent arcs, approaches and departures as pure functions; `cycles` says what the cycles do; `run` carries a program
+//! out.
+
+#![forbid(unsafe_code)]
+
+pub mod syntax;
+pub mod values;
