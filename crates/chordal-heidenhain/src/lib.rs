@@ -6,5 +6,17 @@
 
 #![forbid(unsafe_code)]
 
+mod alarms;
+mod control;
+pub mod cycles;
+pub mod geometry;
+mod recognition;
+mod run;
+mod settings;
 pub mod syntax;
 pub mod values;
+mod vocabulary;
+
+pub use control::{HeidenhainControl, HeidenhainLanguage};
+pub use run::KlartextPrograms;
+pub use settings::HeidenhainSettings;

@@ -18,23 +18,23 @@ pub struct KlartextBlock {
     /// What it does.
     pub statement: KlartextStatement,
     /// What cannot be read in it.
-    pub faults: Vec<SyntaxFault>,
+    pub faults: Vec<KlartextFault>,
 }
 
 /// Why a part of a block cannot be read.
 #[derive(Clone, PartialEq, Debug)]
-pub struct SyntaxFault {
+pub struct KlartextFault {
     /// The part.
     pub range: TextRange,
     /// What is wrong.
     pub message: String,
     /// Its kind.
-    pub kind: SyntaxFaultKind,
+    pub kind: KlartextFaultKind,
 }
 
 /// The kinds of faults of the text.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum SyntaxFaultKind {
+pub enum KlartextFaultKind {
     /// A part that the language does not have.
     Unreadable,
     /// A word that the language does not have, and after which no other word is read.
@@ -193,7 +193,7 @@ pub enum PathFunction {
 
 /// The forms of APPR and DEP.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum ApproachForm {
+pub enum KlartextApproachForm {
     /// LT: a straight line along the contour.
     Tangent,
     /// LN: a straight line perpendicular to it.
@@ -206,7 +206,7 @@ pub enum ApproachForm {
 
 /// A name of a label.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord, Debug)]
-pub enum LabelName {
+pub enum KlartextLabel {
     /// A number, 1 to 65535; 0 ends a subprogram.
     Number(u32),
     /// A text in quotes.
@@ -424,9 +424,9 @@ pub enum KlartextStatement {
     /// CHF, with its length.
     Chamfer(Option<OperandWord>, Box<PathWords>),
     /// APPR.
-    Approach(ApproachForm, Box<PathWords>),
+    Approach(KlartextApproachForm, Box<PathWords>),
     /// DEP.
-    Departure(ApproachForm, Box<PathWords>),
+    Departure(KlartextApproachForm, Box<PathWords>),
     /// M functions alone.
     Functions(Box<PathWords>),
     /// STOP.
@@ -443,11 +443,11 @@ pub enum KlartextStatement {
         radius: Option<WordOperand>,
     },
     /// LBL.
-    Label(LabelName),
+    Label(KlartextLabel),
     /// CALL LBL.
     CallLabel {
         /// The label.
-        label: LabelName,
+        label: KlartextLabel,
         /// REP.
         repeats: Option<WordOperand>,
     },
@@ -458,7 +458,7 @@ pub enum KlartextStatement {
         /// When it jumps.
         condition: JumpCondition,
         /// To where.
-        label: LabelName,
+        label: KlartextLabel,
     },
     /// A parameter gets a value.
     Assign {

@@ -3,7 +3,7 @@
 use chordal_diagnostics::TextRange;
 
 use super::ast::{
-    OperandWord, ParameterBank, ParameterName, SyntaxFault, SyntaxFaultKind, WordOperand,
+    KlartextFault, KlartextFaultKind, OperandWord, ParameterBank, ParameterName, WordOperand,
 };
 use super::tokens::{KlartextToken, KlartextTokenKind};
 
@@ -14,7 +14,7 @@ pub struct TokenCursor<'t> {
     tokens: &'t [KlartextToken],
     at: usize,
     /// What could not be read.
-    pub faults: Vec<SyntaxFault>,
+    pub faults: Vec<KlartextFault>,
 }
 
 impl<'t> TokenCursor<'t> {
@@ -98,8 +98,8 @@ impl<'t> TokenCursor<'t> {
     }
 
     /// Notes a fault.
-    pub fn fault(&mut self, kind: SyntaxFaultKind, range: TextRange, message: impl Into<String>) {
-        self.faults.push(SyntaxFault { range, message: message.into(), kind });
+    pub fn fault(&mut self, kind: KlartextFaultKind, range: TextRange, message: impl Into<String>) {
+        self.faults.push(KlartextFault { range, message: message.into(), kind });
     }
 
     /// The text of a range.
@@ -163,7 +163,7 @@ impl<'t> TokenCursor<'t> {
         let range = self.range_from(word);
         if value.is_none() {
             let message = format!("`{}` has no value", self.shown(word));
-            self.fault(SyntaxFaultKind::MissingValue, word, message);
+            self.fault(KlartextFaultKind::MissingValue, word, message);
         }
         Some(OperandWord { is_incremental, value: value?, range })
     }

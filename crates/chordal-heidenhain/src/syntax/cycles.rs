@@ -3,7 +3,7 @@
 use chordal_diagnostics::TextRange;
 use chordal_geometry::TurnDirection;
 
-use super::ast::{CycleValue, CycleWord, KlartextStatement, SyntaxFaultKind, WordOperand};
+use super::ast::{CycleValue, CycleWord, KlartextFaultKind, KlartextStatement, WordOperand};
 use super::cursor::TokenCursor;
 use super::tokens::KlartextTokenKind;
 
@@ -11,7 +11,7 @@ use super::tokens::KlartextTokenKind;
 pub fn cycle_definition(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
     let Some((number, line)) = cycle_number(cursor) else {
         let rest = cursor.take_rest();
-        cursor.fault(SyntaxFaultKind::Unreadable, rest, "the number of the cycle is missing");
+        cursor.fault(KlartextFaultKind::Unreadable, rest, "the number of the cycle is missing");
         return KlartextStatement::Unknown;
     };
     match line {

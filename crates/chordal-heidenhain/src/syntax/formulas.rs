@@ -3,7 +3,7 @@
 use chordal_diagnostics::TextRange;
 
 use super::ast::{
-    FormulaFunction, FormulaOperator, FormulaStep, KlartextFormula, SyntaxFaultKind, TextPart,
+    FormulaFunction, FormulaOperator, FormulaStep, KlartextFaultKind, KlartextFormula, TextPart,
 };
 use super::cursor::TokenCursor;
 use super::tokens::{KlartextToken, KlartextTokenKind};
@@ -23,8 +23,8 @@ pub fn formula(cursor: &mut TokenCursor<'_>) -> Option<KlartextFormula> {
             _ => format!("`{}` is not expected in a formula here", cursor.shown(token.range)),
         };
         let kind = match token.kind {
-            KlartextTokenKind::Sign(b')') => SyntaxFaultKind::Bracket,
-            _ => SyntaxFaultKind::Unreadable,
+            KlartextTokenKind::Sign(b')') => KlartextFaultKind::Bracket,
+            _ => KlartextFaultKind::Unreadable,
         };
         cursor.fault(kind, token.range, message);
         cursor.take_rest();
@@ -126,7 +126,7 @@ impl FormulaReader<'_, '_> {
         let here = self.cursor.rest();
         if depth > MAX_DEPTH {
             let message = format!("more than {MAX_DEPTH} brackets and functions inside each other");
-            self.cursor.fault(SyntaxFaultKind::Bracket, here, message);
+            self.cursor.fault(KlartextFaultKind::Bracket, here, message);
             return None;
         }
         if self.cursor.take_sign(b'+') {
@@ -143,7 +143,7 @@ impl FormulaReader<'_, '_> {
                 return Some(());
             }
             let open = TextRange::new(here.start, here.start + 1);
-            self.cursor.fault(SyntaxFaultKind::Bracket, open, "this bracket is not closed");
+            self.cursor.fault(KlartextFaultKind::Bracket, open, "this bracket is not closed");
             self.cursor.take_rest();
             return None;
         }
@@ -153,7 +153,7 @@ impl FormulaReader<'_, '_> {
             return Some(());
         }
         let Some(token) = self.cursor.peek() else {
-            self.cursor.fault(SyntaxFaultKind::MissingValue, here, "a value is missing here");
+            self.cursor.fault(KlartextFaultKind::MissingValue, here, "a value is missing here");
             return None;
         };
         match &token.kind {
@@ -177,7 +177,7 @@ impl FormulaReader<'_, '_> {
             _ => {
                 let message =
                     format!("`{}` is not read in a formula", self.cursor.shown(token.range));
-                self.cursor.fault(SyntaxFaultKind::Unreadable, token.range, message);
+                self.cursor.fault(KlartextFaultKind::Unreadable, token.range, message);
                 self.cursor.take_rest();
                 None
             }

@@ -1,7 +1,7 @@
 //! FN, and parameters that get a value.
 
 use super::ast::{
-    JumpComparison, JumpCondition, KlartextStatement, ParameterBank, SyntaxFaultKind, WordOperand,
+    JumpComparison, JumpCondition, KlartextFaultKind, KlartextStatement, ParameterBank, WordOperand,
 };
 use super::cursor::TokenCursor;
 use super::formulas::{formula, text_formula};
@@ -111,6 +111,6 @@ fn unreadable(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         false => format!("`{}` is not expected here", cursor.shown(rest)),
     };
     cursor.take_rest();
-    cursor.fault(SyntaxFaultKind::Unreadable, rest, message);
+    cursor.fault(KlartextFaultKind::Unreadable, rest, message);
     KlartextStatement::Unknown
 }

@@ -17,5 +17,5 @@ mod words;
 
 pub use ast::*;
 pub use parser::{KlartextReader, block_of_lines};
-pub use reader::{BlockLines, LineReader};
+pub use reader::{KlartextLines, LineReader};
 pub use tokens::{KlartextToken, KlartextTokenKind, scan_tokens};

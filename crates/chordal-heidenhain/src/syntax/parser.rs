@@ -1,8 +1,10 @@
 //! Blocks with their number, their skip sign and their statement.
 
+use chordal_diagnostics::TextRange;
+
 use super::ast::KlartextBlock;
 use super::cursor::TokenCursor;
-use super::reader::{BlockLines, LineReader};
+use super::reader::{KlartextLines, LineReader};
 use super::statements::statement;
 use super::tokens::scan_tokens;
 
@@ -28,6 +30,19 @@ impl<'t> KlartextReader<'t> {
         self.lines.line()
     }
 
+    /// The next block that is more than a comment, if it contains one of these words; it is not taken.
+    pub fn peek_with(&self, words: &[&[u8]]) -> Option<KlartextBlock> {
+        let text = self.lines.text();
+        let lines = self.lines.clone().find(|lines| is_more_than_comment(text, lines))?;
+        let has_word = |part: &TextRange| {
+            let part = part.slice(text);
+            words.iter().any(|word| {
+                part.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word))
+            })
+        };
+        lines.parts.iter().any(has_word).then(|| block_of_lines(text, &lines))
+    }
+
     /// Goes to the block that begins at a byte, on a line.
     pub fn seek(&mut self, offset: u32, line: u32) {
         self.lines.seek(offset, line);
@@ -43,8 +58,17 @@ impl Iterator for KlartextReader<'_> {
     }
 }
 
+/// Whether a block is no comment, heading or empty line.
+fn is_more_than_comment(text: &[u8], lines: &KlartextLines) -> bool {
+    let first = lines.parts.first().map(|part| part.slice(text));
+    first.is_some_and(|first| {
+        let digits = first.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        !matches!(first[digits..].trim_ascii_start().first(), None | Some(b'*'))
+    })
+}
+
 /// Reads a block.
-pub fn block_of_lines(text: &[u8], lines: &BlockLines) -> KlartextBlock {
+pub fn block_of_lines(text: &[u8], lines: &KlartextLines) -> KlartextBlock {
     let mut tokens = Vec::new();
     lines.parts.iter().for_each(|part| scan_tokens(text, *part, &mut tokens));
     let mut cursor = TokenCursor::new(text, &tokens);

@@ -4,7 +4,7 @@ use chordal_diagnostics::TextRange;
 
 /// A block of a program before its words are read.
 #[derive(Clone, PartialEq, Eq, Debug)]
-pub struct BlockLines {
+pub struct KlartextLines {
     /// Its text from its first character to its last, with comments.
     pub range: TextRange,
     /// Its first line, from 1.
@@ -77,12 +77,13 @@ impl<'t> LineReader<'t> {
 }
 
 impl Iterator for LineReader<'_> {
-    type Item = BlockLines;
+    type Item = KlartextLines;
 
-    fn next(&mut self) -> Option<BlockLines> {
+    fn next(&mut self) -> Option<KlartextLines> {
         let line = self.line;
         let first = self.next_line()?;
-        let mut block = BlockLines { range: first, line, parts: Vec::new(), comments: Vec::new() };
+        let mut block =
+            KlartextLines { range: first, line, parts: Vec::new(), comments: Vec::new() };
         let mut goes_on = add_line(self.text, first, &mut block);
         let is_cycle = begins_cycle(first.slice(self.text));
         while goes_on || is_cycle && self.continues_cycle() {
@@ -101,7 +102,7 @@ fn begins_cycle(line: &[u8]) -> bool {
 }
 
 /// Adds a line to its block; true if it ends with `~`, so that the next line belongs to the block, too.
-fn add_line(text: &[u8], line: TextRange, block: &mut BlockLines) -> bool {
+fn add_line(text: &[u8], line: TextRange, block: &mut KlartextLines) -> bool {
     let bytes = line.slice(text);
     let goes_on = bytes.last() == Some(&b'~');
     let end = line.end - u32::from(goes_on);

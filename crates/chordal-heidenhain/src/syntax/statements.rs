@@ -3,8 +3,9 @@
 use chordal_diagnostics::TextRange;
 
 use super::ast::{
-    ApproachForm, CycleCallForm, KlartextStatement, OperandWord, ParameterBank, PathFunction,
-    PatternGroup, SyntaxFaultKind, ToolCallWords, ToolName, UnfollowedFunction, WordOperand,
+    CycleCallForm, KlartextApproachForm, KlartextFaultKind, KlartextStatement, OperandWord,
+    ParameterBank, PathFunction, PatternGroup, ToolCallWords, ToolName, UnfollowedFunction,
+    WordOperand,
 };
 use super::cursor::TokenCursor;
 use super::cycles::cycle_definition;
@@ -141,7 +142,7 @@ fn two_words(cursor: &mut TokenCursor<'_>, word: &str) -> Option<KlartextStateme
             if word == "CYCLE" {
                 let range = cursor.peek()?.range;
                 let message = "the word is CYCL DEF; CYCLE DEF is read as that";
-                cursor.fault(SyntaxFaultKind::Spelling, range, message);
+                cursor.fault(KlartextFaultKind::Spelling, range, message);
             }
             take_both(cursor);
             cycle_definition(cursor)
@@ -172,12 +173,12 @@ fn two_words(cursor: &mut TokenCursor<'_>, word: &str) -> Option<KlartextStateme
     })
 }
 
-fn approach_form(word: &str) -> Option<ApproachForm> {
+fn approach_form(word: &str) -> Option<KlartextApproachForm> {
     Some(match word {
-        "LT" | "PLT" => ApproachForm::Tangent,
-        "LN" | "PLN" => ApproachForm::Normal,
-        "CT" | "PCT" => ApproachForm::Arc,
-        "LCT" | "PLCT" => ApproachForm::LineAndArc,
+        "LT" | "PLT" => KlartextApproachForm::Tangent,
+        "LN" | "PLN" => KlartextApproachForm::Normal,
+        "CT" | "PCT" => KlartextApproachForm::Arc,
+        "LCT" | "PLCT" => KlartextApproachForm::LineAndArc,
         _ => return None,
     })
 }
@@ -186,7 +187,7 @@ fn unknown(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
     let first = cursor.peek().map(|token| token.range).unwrap_or_default();
     cursor.take_rest();
     let message = format!("`{}` begins no block of this language", cursor.shown(first));
-    cursor.fault(SyntaxFaultKind::UnknownFunction, first, message);
+    cursor.fault(KlartextFaultKind::UnknownFunction, first, message);
     KlartextStatement::Unknown
 }
 
@@ -204,7 +205,7 @@ fn program_head(cursor: &mut TokenCursor<'_>) -> (TextRange, bool) {
     let has_unit = is_inch || text[unit..].eq_ignore_ascii_case(b"MM");
     if !has_unit {
         let message = "the unit MM or INCH is missing after the name: MM is assumed";
-        cursor.fault(SyntaxFaultKind::Spelling, rest, message);
+        cursor.fault(KlartextFaultKind::Spelling, rest, message);
         return (rest, false);
     }
     let name = text[..unit].trim_ascii_end().len() as u32;

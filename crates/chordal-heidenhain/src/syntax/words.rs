@@ -5,7 +5,7 @@ use chordal_diagnostics::TextRange;
 use chordal_geometry::TurnDirection;
 
 use super::ast::{
-    AXIS_WORDS, FeedValue, FeedWord, MachineFunction, OperandWord, PathWords, SyntaxFaultKind,
+    AXIS_WORDS, FeedValue, FeedWord, KlartextFaultKind, MachineFunction, OperandWord, PathWords,
 };
 use super::cursor::TokenCursor;
 use super::tokens::KlartextTokenKind;
@@ -37,7 +37,7 @@ pub fn unread_token(cursor: &mut TokenCursor<'_>) {
         }
         _ => format!("`{shown}` is not read in this block"),
     };
-    cursor.fault(SyntaxFaultKind::Unreadable, token.range, message);
+    cursor.fault(KlartextFaultKind::Unreadable, token.range, message);
 }
 
 /// Reads one word; false, with nothing taken, if none begins here.
@@ -63,7 +63,7 @@ fn path_word(cursor: &mut TokenCursor<'_>, words: &mut PathWords) -> bool {
             () if cursor.take_sign(b'+') => TurnDirection::Ccw,
             () if cursor.take_sign(b'-') => TurnDirection::Cw,
             () => {
-                cursor.fault(SyntaxFaultKind::MissingValue, range, "DR has no sign");
+                cursor.fault(KlartextFaultKind::MissingValue, range, "DR has no sign");
                 return true;
             }
         };
@@ -97,7 +97,7 @@ fn path_word(cursor: &mut TokenCursor<'_>, words: &mut PathWords) -> bool {
     *target = target.or(Some(value));
     if is_double {
         let message = format!("{name} is programmed twice in this block");
-        cursor.fault(SyntaxFaultKind::DoubleWord, range, message);
+        cursor.fault(KlartextFaultKind::DoubleWord, range, message);
     }
     true
 }
@@ -109,7 +109,7 @@ fn put<T>(cursor: &mut TokenCursor<'_>, place: &mut Option<T>, value: T, range: 
         return;
     }
     let message = format!("`{}` is one too many in this block", cursor.shown(range));
-    cursor.fault(SyntaxFaultKind::DoubleWord, range, message);
+    cursor.fault(KlartextFaultKind::DoubleWord, range, message);
 }
 
 /// The side of R0, RL and RR; R with another value is a radius.
@@ -174,7 +174,7 @@ pub fn function_word(cursor: &mut TokenCursor<'_>, functions: &mut Vec<MachineFu
     }
     cursor.take();
     let Some(number) = cursor.take_whole() else {
-        cursor.fault(SyntaxFaultKind::MissingValue, token.range, "M has no number");
+        cursor.fault(KlartextFaultKind::MissingValue, token.range, "M has no number");
         return true;
     };
     let (mut value, mut is_max) = (None, false);

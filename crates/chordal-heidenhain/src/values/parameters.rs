@@ -8,13 +8,20 @@ use crate::syntax::{ParameterBank, ParameterName};
 #[derive(Clone, Default, PartialEq, Debug)]
 pub struct ParameterStore {
     numbers: BTreeMap<ParameterName, f64>,
+    /// A parameter that was never set is 0, as on old controls.
+    pub unset_is_zero: bool,
     texts: BTreeMap<u32, String>,
 }
 
 impl ParameterStore {
     /// The value of a parameter; `None` if it was never set.
     pub fn number(&self, name: ParameterName) -> Option<f64> {
-        self.numbers.get(&name).copied()
+        self.numbers.get(&name).copied().or(self.unset_is_zero.then_some(0.0))
+    }
+
+    /// Whether a parameter was set.
+    pub fn is_set(&self, name: ParameterName) -> bool {
+        self.numbers.contains_key(&name)
     }
 
     /// Sets a parameter.
