@@ -16,7 +16,7 @@ use chordal_kernel::{
 use chordal_machine::{AXES, ControlName, Machine, RapidShape};
 
 use crate::alarms::TEXTS_OF_CODES;
-use crate::recognition::{begins_like_klartext, candidates};
+use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
 
@@ -151,7 +151,8 @@ impl ProgrammingLanguage for HeidenhainLanguage {
         begins_like_klartext(text)
     }
 
-    fn recognize(&self, text: &[u8]) -> Vec<ControlCandidate> {
-        candidates(text, HEIDENHAIN_PROFILE)
+    fn recognize(&self, _: &[u8]) -> Vec<ControlCandidate> {
+        // The signs are searched with those of all other languages, in one pass over the text.
+        Vec::new()
     }
 }

@@ -22,7 +22,6 @@ const MAX_LOOK_AHEAD_BLOCKS: usize = 50;
 impl KlartextInterpreter<'_> {
     /// R0, RL and RR of a block.
     pub(super) fn set_compensation(&mut self, function: PathFunction, words: &PathWords) {
-        self.set_corner_mode(words);
         let Some((side, range)) = words.side else { return };
         let before = self.programmed_side();
         if side == before {
@@ -48,10 +47,11 @@ impl KlartextInterpreter<'_> {
         self.switch_compensation(side);
     }
 
-    /// M97: the next outside corner is passed without an arc, which lets the tool into small steps. M98 has no effect on
-    /// a path of lines that meet.
-    fn set_corner_mode(&mut self, words: &PathWords) {
+    /// M97 after the move of its block: the outside corner at its end is passed without an arc, which lets the tool into
+    /// small steps.
+    pub(super) fn set_corner_mode(&mut self, words: &PathWords) {
         let meets = words.functions.iter().any(|function| function.number == 97);
+        // A corner is made when the move after it is known, so that the mode stays for one move more.
         if meets != self.modes.meets_corner {
             self.modes.meets_corner = meets;
             self.kernel.emit(CommandKind::CornerMode { meets });

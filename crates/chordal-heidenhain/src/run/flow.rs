@@ -87,6 +87,7 @@ impl KlartextInterpreter<'_> {
             && let Some(place) = self.running().returns.pop()
         {
             self.running().call = place.call;
+            self.running().last_number = None;
             self.running().reader.seek(place.place.0, place.place.1);
         }
         KlartextFlow::Next

@@ -41,6 +41,7 @@ impl KlartextInterpreter<'_> {
         let is_rapid = self.apply_feed(words.feed);
         self.set_compensation(function, words);
         let has_moved = self.path_motion(function, words, is_rapid);
+        self.set_corner_mode(words);
         self.modes.contour.function = function;
         let flow = self.functions_at_end(&words.functions);
         let calls = words.functions.iter().any(|function| function.number == 99);

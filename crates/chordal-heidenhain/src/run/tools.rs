@@ -108,18 +108,17 @@ impl KlartextInterpreter<'_> {
             if corner != 0.0 {
                 tool.corner_radius_mm = tool.corner_radius_mm.map(|own| own + corner);
             }
+            // The length lies along the axis of the tool.
+            let axis = self.tool_axis();
+            if axis != 2 {
+                tool.offset.swap(axis, 2);
+                tool.offset_wear.swap(axis, 2);
+                tool.offset[2] = tool.offset[2].or(Some(0.0));
+            }
             *self.kernel.state.offsets.tool_mut(number) = tool;
         }
-        let axis = self.tool_axis();
         let offset = LengthOffset { number: Some(number), minus: false };
         self.kernel.set_length(&view, offset);
-        if axis != 2 {
-            // The length lies along the axis of the tool.
-            let along = self.kernel.state.offsets.length_mm(number).unwrap_or(0.0);
-            let mut values = [Some(0.0); 6];
-            values[axis] = Some(along);
-            self.kernel.set_tool_offsets(&values, false);
-        }
         self.kernel.state.radius_offset = Some(number);
     }
 
