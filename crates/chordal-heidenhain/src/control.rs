@@ -103,7 +103,7 @@ impl ConfiguredControl for HeidenhainControl {
     }
 
     fn subprogram_extensions(&self) -> &'static [&'static str] {
-        &["h"]
+        &["h", "i"]
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -12,8 +12,7 @@ fn programs(part: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/heidenhain").join(part);
     let entries = fs::read_dir(folder).expect("the programs");
     let files = entries.map(|entry| entry.expect("a file").path());
-    let mut files: Vec<PathBuf> =
-        files.filter(|path| path.extension().is_some_and(|end| end == "h")).collect();
+    let mut files: Vec<PathBuf> = files.filter(|path| path.extension().is_some()).collect();
     files.sort();
     files
 }
@@ -55,7 +54,17 @@ fn check_spans(text: &[u8]) {
 }
 
 /// Pieces of which random programs are made.
-const PIECES: [&str; 40] = [
+const PIECES: [&str; 50] = [
+    "N10",
+    "G01",
+    "G98 L1",
+    "L1,3",
+    "D01",
+    "P01",
+    "*",
+    "%",
+    "G54",
+    "H",
     "L",
     "LP",
     "C",
@@ -102,6 +111,8 @@ proptest! {
     #[test]
     fn any_bytes_are_read(text in proptest::collection::vec(any::<u8>(), 0..200)) {
         check_spans(&text);
+        // The other form of programs.
+        check_spans(&[b"%1 G71 *\n", text.as_slice()].concat());
     }
 
     #[test]
@@ -113,6 +124,7 @@ proptest! {
             .map(|(piece, blank)| format!("{}{}", PIECES[*piece], if *blank { " " } else { "" }))
             .collect();
         check_spans(text.as_bytes());
+        check_spans(format!("%1 G71 *\n{text}").as_bytes());
     }
 }
 

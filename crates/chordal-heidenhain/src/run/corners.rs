@@ -10,7 +10,7 @@ use crate::geometry::ContourElement;
 use crate::syntax::{FeedValue, FeedWord, KlartextStatement, OperandWord, PathFunction};
 
 /// The words of a block that is a corner.
-const CORNER_WORDS: [&[u8]; 2] = [b"RND", b"CHF"];
+const CORNER_WORDS: [&[u8]; 4] = [b"RND", b"CHF", b"G24", b"G25"];
 
 impl KlartextInterpreter<'_> {
     /// Requests the corner that the next block programs at the end of the move that follows.

@@ -98,6 +98,7 @@ impl KlartextInterpreter<'_> {
                 self.reset_datum();
                 KlartextFlow::Next
             }
+            KlartextStatement::Iso(words) => self.iso_block(words),
             KlartextStatement::NotFollowed(what) => {
                 self.unfollowed(*what);
                 KlartextFlow::Next
@@ -139,7 +140,7 @@ impl KlartextInterpreter<'_> {
     }
 
     /// BLK FORM 0.1 and 0.2: the corners of the blank, which is checked and not cut.
-    fn blank(&mut self, corner: Option<u8>, words: &PathWords) {
+    pub(super) fn blank(&mut self, corner: Option<u8>, words: &PathWords) {
         let range = self.here;
         let Some(corner) = corner else { return };
         let Some(values) = self.values(words) else { return };

@@ -4,7 +4,7 @@ use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_kernel::{EndReason, ProgramName};
 
 use super::interpreter::KlartextInterpreter;
-use super::program_texts::{blocks_with, called_name, file_stem};
+use super::program_texts::{blocks_with, called_name, file_stem, program_word};
 use super::run_state::{KlartextFlow, ReturnPlace};
 use crate::alarms::{LABEL_NOT_FOUND, LABEL_ZERO, NESTING};
 use crate::syntax::{
@@ -20,9 +20,10 @@ impl KlartextInterpreter<'_> {
     pub(super) fn find_labels(&mut self) {
         let text = self.text();
         let mut lines = LineReader::new(text);
+        let word: &[u8] = if lines.is_iso() { b"G98" } else { b"LBL" };
         while let Some(block) = lines.next() {
             let has_label = block.parts.iter().any(|part| {
-                memchr::memmem::find(&part.slice(text).to_ascii_uppercase(), b"LBL").is_some()
+                memchr::memmem::find(&part.slice(text).to_ascii_uppercase(), word).is_some()
             });
             if !has_label {
                 continue;
@@ -53,10 +54,11 @@ impl KlartextInterpreter<'_> {
     pub(super) fn check_frame_of_program(&mut self) {
         let text = self.text();
         let program = self.running().program;
-        let end = blocks_with(text, b"END").find_map(|block| match block.statement {
-            KlartextStatement::End { name, is_inch } => Some((block.range, name, is_inch)),
-            _ => None,
-        });
+        let end =
+            blocks_with(text, program_word(text, b"END")).find_map(|block| match block.statement {
+                KlartextStatement::End { name, is_inch } => Some((block.range, name, is_inch)),
+                _ => None,
+            });
         let Some(head) = self.programs.texts[program].head.clone() else { return };
         let Some((range, name, is_inch)) = end else {
             let last = LineReader::new(text).last().map_or(head.range, |block| block.range);

@@ -13,7 +13,7 @@ const LINEAR_AXES: [&str; 3] = ["X", "Y", "Z"];
 
 impl KlartextInterpreter<'_> {
     /// Sets a transformation; the tool stays, its coordinates change.
-    fn transform(&mut self, new: Transformation) {
+    pub(super) fn transform(&mut self, new: Transformation) {
         self.modes.chain.set(new);
         self.update_frame();
     }

@@ -3,7 +3,8 @@
 //! `interpreter` reads blocks in their order and `dispatch` carries them out; `flow` follows labels, calls and jumps;
 //! `assignments` and `block_values` give words their values; `contours` turns path functions into lines and arcs, which
 //! `motion` moves along; `corners` and `compensation` look ahead for what changes them; `functions` and `tools` set what the
-//! following blocks use; `frames` and `transformations` are the coordinates, `cycles` the cycles.
+//! following blocks use; `iso` is for the blocks of
+//! DIN/ISO programs, `frames` and `transformations` are the coordinates, `cycles` the cycles.
 
 mod assignments;
 mod block_values;
@@ -16,6 +17,8 @@ mod flow;
 mod frames;
 mod functions;
 mod interpreter;
+mod iso;
+mod iso_modes;
 mod motion;
 mod problems;
 mod program_texts;

@@ -106,9 +106,14 @@ pub fn blocks_with<'t>(
         .map(move |lines| block_of_lines(text, &lines))
 }
 
+/// The word of the lines that begin, end or call programs; in DIN/ISO programs it is a percent sign.
+pub fn program_word<'w>(text: &[u8], word: &'w [u8]) -> &'w [u8] {
+    if LineReader::new(text).is_iso() { b"%" } else { word }
+}
+
 /// BEGIN PGM of a text; `None` without it.
 pub fn program_head(text: &[u8]) -> Option<KlartextHead> {
-    blocks_with(text, b"BEGIN").find_map(|block| match block.statement {
+    blocks_with(text, program_word(text, b"BEGIN")).find_map(|block| match block.statement {
         KlartextStatement::Begin { name, is_inch } => {
             let shown = String::from_utf8_lossy(name.slice(text)).into_owned();
             Some(KlartextHead { name: shown, range: name, is_inch, line: block.line })
@@ -119,7 +124,7 @@ pub fn program_head(text: &[u8]) -> Option<KlartextHead> {
 
 /// The names of the programs that a text calls, without folder and extension.
 pub fn called_program_names(text: &[u8]) -> Vec<String> {
-    let mut names: Vec<String> = blocks_with(text, b"PGM")
+    let mut names: Vec<String> = blocks_with(text, program_word(text, b"PGM"))
         .filter_map(|block| match block.statement {
             KlartextStatement::CallProgram(name) => Some(called_name(text, name)),
             KlartextStatement::CycleLine { number: 12, line: 1, rest, .. } => {

@@ -8,6 +8,7 @@ use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::EndReason;
 use chordal_kernel::frames::{FrameMap, InPlane};
 
+use super::iso_modes::IsoModes;
 use super::transformations::CoordinateChain;
 use crate::syntax::{
     CycleValue, KlartextLabel, KlartextReader, ParameterName, PathFunction, PatternGroup,
@@ -219,6 +220,8 @@ pub struct KlartextModes {
     pub blank: Option<[Option<f64>; 3]>,
     /// A tool was called.
     pub has_tool: bool,
+    /// What the G codes of a DIN/ISO program leave.
+    pub iso: IsoModes,
     /// The preset of cycle 247.
     pub preset: Option<f64>,
 }
@@ -241,6 +244,7 @@ impl Default for KlartextModes {
             has_jumped_back: false,
             blank: None,
             has_tool: false,
+            iso: IsoModes::default(),
             preset: None,
         }
     }

@@ -170,6 +170,33 @@ impl PathWords {
     }
 }
 
+/// The words of a block of a DIN/ISO program.
+#[derive(Clone, Default, PartialEq, Debug)]
+pub struct IsoWords {
+    /// The G codes in order.
+    pub codes: Vec<(u32, TextRange)>,
+    /// X Y Z A B C U V W.
+    pub axes: [Option<OperandWord>; 9],
+    /// The axes that stand in the block, with or without a value.
+    pub named: [bool; 9],
+    /// I, J and K: the centre, or the pole.
+    pub center: [Option<OperandWord>; 3],
+    /// R.
+    pub radius: Option<OperandWord>,
+    /// H: the polar angle, or that of a rotation, degrees.
+    pub angle: Option<OperandWord>,
+    /// F.
+    pub feed: Option<OperandWord>,
+    /// S.
+    pub speed: Option<OperandWord>,
+    /// T.
+    pub tool: Option<OperandWord>,
+    /// L.
+    pub length: Option<OperandWord>,
+    /// The M functions in order.
+    pub functions: Vec<MachineFunction>,
+}
+
 /// The path functions.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum PathFunction {
@@ -516,6 +543,8 @@ pub enum KlartextStatement {
     DatumShift(Box<PathWords>),
     /// TRANS DATUM RESET.
     DatumReset,
+    /// A block of a DIN/ISO program that has no other form.
+    Iso(Box<IsoWords>),
     /// What is read and not carried out.
     NotFollowed(UnfollowedFunction),
     /// What cannot be read.

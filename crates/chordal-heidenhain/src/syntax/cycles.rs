@@ -48,7 +48,7 @@ fn cycle_number(cursor: &mut TokenCursor<'_>) -> Option<(u32, Option<u32>)> {
 }
 
 /// The parameters of a cycle; its name, in the language of the shop, is left out.
-fn parameters(cursor: &mut TokenCursor<'_>) -> Vec<(u32, CycleValue, TextRange)> {
+pub fn parameters(cursor: &mut TokenCursor<'_>) -> Vec<(u32, CycleValue, TextRange)> {
     let mut values = Vec::new();
     while let Some(token) = cursor.peek() {
         let is_set = matches!(

@@ -92,16 +92,22 @@ fn system_read(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
     if !cursor.take_sign(b'=') {
         return unreadable(cursor);
     }
+    let numbers = system_numbers(cursor);
+    while !cursor.is_at_end() {
+        unread_token(cursor);
+    }
+    KlartextStatement::SystemRead { target, numbers }
+}
+
+/// ID, NR and IDX of FN 18.
+pub fn system_numbers(cursor: &mut TokenCursor<'_>) -> [Option<WordOperand>; 3] {
     let mut numbers = [None; 3];
     while let Some(word) = cursor.peek_word() {
         let Some(place) = ["ID", "NR", "IDX"].iter().position(|name| *name == word) else { break };
         cursor.take();
         numbers[place] = cursor.take_operand();
     }
-    while !cursor.is_at_end() {
-        unread_token(cursor);
-    }
-    KlartextStatement::SystemRead { target, numbers }
+    numbers
 }
 
 fn unreadable(cursor: &mut TokenCursor<'_>) -> KlartextStatement {

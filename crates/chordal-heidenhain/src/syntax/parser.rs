@@ -4,6 +4,7 @@ use chordal_diagnostics::TextRange;
 
 use super::ast::KlartextBlock;
 use super::cursor::TokenCursor;
+use super::iso::iso_statement;
 use super::reader::{KlartextLines, LineReader};
 use super::statements::statement;
 use super::tokens::scan_tokens;
@@ -73,6 +74,12 @@ pub fn block_of_lines(text: &[u8], lines: &KlartextLines) -> KlartextBlock {
     lines.parts.iter().for_each(|part| scan_tokens(text, *part, &mut tokens));
     let mut cursor = TokenCursor::new(text, &tokens);
     let mut is_skippable = cursor.take_sign(b'/');
+    if lines.is_iso {
+        let number = cursor.take_word("N").then(|| cursor.take_whole()).flatten();
+        let statement = iso_statement(&mut cursor, number.is_some());
+        let (range, line, faults) = (lines.range, lines.line, cursor.faults);
+        return KlartextBlock { range, line, number, is_skippable, statement, faults };
+    }
     // The number of the block stands before a word; a sign before it may mark the block as one to skip.
     let number = cursor.take_whole();
     is_skippable |= cursor.take_sign(b'/');

@@ -13,6 +13,8 @@ pub struct KlartextLines {
     pub parts: Vec<TextRange>,
     /// Its comments, with their semicolons.
     pub comments: Vec<TextRange>,
+    /// It is a block of a DIN/ISO program.
+    pub is_iso: bool,
 }
 
 /// Reads the blocks of a text in their order, from any place on.
@@ -21,12 +23,20 @@ pub struct LineReader<'t> {
     text: &'t [u8],
     offset: u32,
     line: u32,
+    is_iso: bool,
 }
 
 impl<'t> LineReader<'t> {
     /// At the start of a text.
     pub fn new(text: &'t [u8]) -> LineReader<'t> {
-        LineReader { text, offset: 0, line: 1 }
+        // A DIN/ISO program begins with its name after a percent sign.
+        let first = text.trim_ascii_start().first();
+        LineReader { text, offset: 0, line: 1, is_iso: first == Some(&b'%') }
+    }
+
+    /// Whether the text is a DIN/ISO program.
+    pub fn is_iso(&self) -> bool {
+        self.is_iso
     }
 
     /// The text.
@@ -82,8 +92,9 @@ impl Iterator for LineReader<'_> {
     fn next(&mut self) -> Option<KlartextLines> {
         let line = self.line;
         let first = self.next_line()?;
+        let is_iso = self.is_iso;
         let mut block =
-            KlartextLines { range: first, line, parts: Vec::new(), comments: Vec::new() };
+            KlartextLines { range: first, line, parts: Vec::new(), comments: Vec::new(), is_iso };
         let mut goes_on = add_line(self.text, first, &mut block);
         let is_cycle = begins_cycle(first.slice(self.text));
         while goes_on || is_cycle && self.continues_cycle() {
