@@ -16,10 +16,10 @@ use chordal::{Diagnostic, Job, Machine, PathSink, RunOptions, Severity, Source, 
 use chordal_heidenhain::syntax::LineReader;
 
 /// Programs without an error or a warning, of all; may only become more.
-const MIN_CLEAN: usize = 57;
+const MIN_CLEAN: usize = 60;
 
 /// Expectations that hold, of all; may only become more.
-const MIN_RIGHT: usize = 958;
+const MIN_RIGHT: usize = 980;
 
 /// Faults that are reported at their line, of all; may only become more.
 const MIN_FAULTS: usize = 86;

@@ -395,6 +395,7 @@ mod tests {
 
     const CONTEXT: CycleContext = CycleContext {
         level: 10.0,
+        position: [0.0; 2],
         tool_radius: Some(3.0),
         point_angle: None,
         rpm: 500.0,

@@ -133,6 +133,7 @@ mod tests {
 
     const CONTEXT: CycleContext = CycleContext {
         level: 2.0,
+        position: [0.0; 2],
         tool_radius: None,
         point_angle: None,
         rpm: 1000.0,

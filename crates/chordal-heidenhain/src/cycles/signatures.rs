@@ -55,10 +55,10 @@ const CYCLE_SIGNATURES: &[KlartextCycleSignature] = &[
     unfollowed(232, "face milling"),
     unfollowed(233, "face milling"),
     unfollowed(241, "single-lip deep-hole drilling"),
-    unfollowed(251, "rectangular pocket"),
-    unfollowed(252, "circular pocket"),
-    unfollowed(253, "slot"),
-    unfollowed(254, "circular slot"),
+    cycle(251, "rectangular pocket", &[218, 219, 207, 201, 202, 206, 200, 203]),
+    cycle(252, "circular pocket", &[223, 207, 201, 202, 206, 200, 203]),
+    cycle(253, "slot", &[218, 219, 207, 201, 202, 206, 200, 203]),
+    cycle(254, "circular slot", &[219, 375, 376, 248, 207, 201, 202, 206, 200, 203]),
     unfollowed(256, "rectangular stud"),
     unfollowed(257, "circular stud"),
     unfollowed(262, "thread milling"),
@@ -79,6 +79,8 @@ pub fn old_cycle_lines(number: u32) -> Option<u32> {
         1 => Some(5),
         2 => Some(4),
         17 | 18 => Some(3),
+        4 => Some(6),
+        5 => Some(5),
         _ => None,
     }
 }

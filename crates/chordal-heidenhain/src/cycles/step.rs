@@ -31,6 +31,17 @@ pub enum KlartextCycleStep {
         /// The feed.
         feed: CycleFeed,
     },
+    /// An arc in the plane, on a level.
+    Arc {
+        /// Its centre, from where the cycle was called.
+        center: [f64; 2],
+        /// Its end, from there as well.
+        end: [f64; 2],
+        /// Its angle, rad, positive counter-clockwise.
+        sweep_rad: f64,
+        /// The feed.
+        feed: CycleFeed,
+    },
     /// A helix about where the cycle was called, counter-clockwise.
     Helix {
         /// Its angle, rad.
@@ -55,6 +66,8 @@ pub enum KlartextCycleStep {
 pub struct CycleContext {
     /// The programmed coordinate of the tool axis.
     pub level: f64,
+    /// The programmed coordinates of the plane.
+    pub position: [f64; 2],
     /// The radius of the tool; `None` where it is not known.
     pub tool_radius: Option<f64>,
     /// The angle of its tip from side to side, rad; `None` where it is not known.

@@ -12,8 +12,8 @@ use super::run_state::{CycleNumber, DataValue, KlartextFlow, StoredCycle};
 use crate::alarms::{CYCLE_INCOMPLETE, TOOL_TOO_LARGE};
 use crate::cycles::{
     CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleStep, OldCycle,
-    OldCycleData, cycle_signature, is_drilling_cycle, old_cycle_lines, old_cycle_steps,
-    parameter_cycle_steps, pattern_points,
+    OldCycleData, cycle_signature, is_drilling_cycle, is_pocket_cycle, old_cycle_lines,
+    old_cycle_steps, old_pocket_steps, parameter_cycle_steps, pattern_points, pocket_steps,
 };
 use crate::geometry::ContourElement;
 use crate::syntax::{CycleValue, CycleWord, KlartextStatement, PathWords};
@@ -166,14 +166,19 @@ impl KlartextInterpreter<'_> {
     fn old_cycle(&self, number: u32, lines: &BTreeMap<u32, Vec<DataValue>>) -> OldCycle {
         let unit = self.unit_mm();
         let feed_unit = self.feed_mm(1.0, FeedMode::PerTime);
-        let convert = |line: u32, value: f64| match (number, line) {
+        let by_line = |line: u32, value: f64| match (number, line) {
             (1, 4) | (2, 3) => value,
             (1, 5) | (2, 4) => value * feed_unit,
             _ => value * unit,
         };
+        // F stands with its letter on the lines of pockets.
+        let convert = |line: u32, word: &DataValue, value: f64| match word.label.as_str() {
+            "F" if matches!(number, 4 | 5) => value * feed_unit,
+            _ => by_line(line, value),
+        };
         let values = |(line, data): (&u32, &Vec<DataValue>)| {
-            let values = data.iter().filter_map(|word| word.value);
-            (*line, values.map(|value| convert(*line, value)).collect())
+            let values = data.iter().filter_map(|word| Some((word, word.value?)));
+            (*line, values.map(|(word, value)| convert(*line, word, value)).collect())
         };
         OldCycle { number, data: OldCycleData { lines: lines.iter().map(values).collect() } }
     }
@@ -266,7 +271,15 @@ impl KlartextInterpreter<'_> {
                     return KlartextFlow::Next;
                 }
                 let old = self.old_cycle(number, &lines);
-                match old_cycle_steps(&old, &self.cycle_context()) {
+                let context = self.cycle_context();
+                let steps = match number {
+                    4 | 5 => {
+                        self.report_assumed_path(number);
+                        old_pocket_steps(&old, &context)
+                    }
+                    _ => old_cycle_steps(&old, &context),
+                };
+                match steps {
                     Ok(steps) => self.run_steps(&steps),
                     Err(fault) => self.report_cycle(fault),
                 }
@@ -281,21 +294,34 @@ impl KlartextInterpreter<'_> {
     }
 
     fn run_parameter_cycle(&mut self, number: u32, values: &CycleValues) {
-        if !is_drilling_cycle(number) {
+        let is_pocket = is_pocket_cycle(number);
+        if !is_pocket && !is_drilling_cycle(number) {
             return;
         }
-        if matches!(number, 204 | 208) && self.is_first_report(&format!("path of cycle {number}")) {
-            let message = format!(
-                "the manuals do not give every move of cycle {number}: its path is assumed"
-            );
-            let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
-            let help = "shape, depth and end are those of the control; the order of the moves and the time may differ";
-            self.kernel.report(diagnostic.help(help));
+        if is_pocket || matches!(number, 204 | 208) {
+            self.report_assumed_path(number);
         }
-        match parameter_cycle_steps(number, values, &self.cycle_context()) {
+        let context = self.cycle_context();
+        let steps = match is_pocket {
+            true => pocket_steps(number, values, &context),
+            false => parameter_cycle_steps(number, values, &context),
+        };
+        match steps {
             Ok(steps) => self.run_steps(&steps),
             Err(fault) => self.report_cycle(fault),
         }
+    }
+
+    /// Says once for each cycle that its path is not that of the control in every move.
+    fn report_assumed_path(&mut self, number: u32) {
+        if !self.is_first_report(&format!("path of cycle {number}")) {
+            return;
+        }
+        let message =
+            format!("the manuals do not give every move of cycle {number}: its path is assumed");
+        let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
+        let help = "shape, depth and end are those of the control; the order of the moves and the time may differ";
+        self.kernel.report(diagnostic.help(help));
     }
 
     fn report_cycle(&mut self, fault: KlartextCycleFault) {
@@ -338,8 +364,11 @@ impl KlartextInterpreter<'_> {
     fn cycle_context(&self) -> CycleContext {
         let tool = self.kernel.state.tool;
         let settings = &self.programs.settings;
+        let place = self.programmed();
+        let (a, b, normal) = self.tool_plane().axes();
         CycleContext {
-            level: self.programmed()[self.tool_axis()],
+            level: place[normal],
+            position: [place[a], place[b]],
             tool_radius: self.kernel.state.offsets.radius_mm(tool),
             point_angle: self.tools.get(&tool).and_then(|tool| tool.point_angle_rad),
             rpm: self.kernel.state.rpm,
@@ -405,6 +434,11 @@ impl KlartextInterpreter<'_> {
                     (place[a], place[b]) = (hole[0] + offset[0], hole[1] + offset[1]);
                     self.cycle_move(place, feed);
                 }
+                KlartextCycleStep::Arc { center, end, sweep_rad, feed } => {
+                    (place[a], place[b]) = (hole[0] + end[0], hole[1] + end[1]);
+                    let center = [hole[0] + center[0], hole[1] + center[1]];
+                    self.cycle_arc(center, place, sweep_rad, feed);
+                }
                 KlartextCycleStep::Helix { sweep_rad, to, feed } => {
                     self.cycle_helix(hole, sweep_rad, to, feed);
                 }
@@ -440,6 +474,17 @@ impl KlartextInterpreter<'_> {
             return self.rapid_to(place, AxisMask::LINEAR);
         }
         self.with_cycle_feed(feed, |own| own.feed_to(place, AxisMask::LINEAR));
+    }
+
+    /// An arc in the plane.
+    fn cycle_arc(&mut self, center: [f64; 2], place: [f64; 3], sweep_rad: f64, feed: CycleFeed) {
+        let plane = self.tool_plane();
+        let mut end = self.programmed();
+        end[..3].copy_from_slice(&place);
+        let element = ContourElement::Arc { plane, center, sweep_rad, end: place };
+        self.with_cycle_feed(feed, |own| {
+            own.move_along(None, &element, end, AxisMask::LINEAR, false);
+        });
     }
 
     /// A helix about a hole, counter-clockwise.

@@ -67,7 +67,7 @@ impl KlartextInterpreter<'_> {
                 code if is_motion(*code) => self.modes.iso.motion = *code,
                 4 | 17..=20 | 28..=31 | 36 | 38 | 40..=44 | 54 | 72 | 73 | 79 => {}
                 code if WITHOUT_EFFECT.contains(code) => {}
-                26 | 27 | 53 | 80 | 1..=89 => {
+                1..=89 => {
                     let what = format!("G{code} is not followed here");
                     self.not_followed_once(&format!("G{code}"), *range, &what);
                 }
