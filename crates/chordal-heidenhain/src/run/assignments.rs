@@ -119,8 +119,10 @@ impl KlartextInterpreter<'_> {
         match number {
             15 | 16 | 17 | 38 => {}
             _ => {
-                let what = format!("FN {number} is noted and not carried out");
-                self.assumed_once(&format!("FN {number}"), range, &what);
+                if self.is_first_report(&format!("FN {number}")) {
+                    let what = format!("FN {number} is read and moves nothing here");
+                    self.problem(Code::NotSimulated, range, what);
+                }
             }
         }
         if let Some(target) = target {

@@ -86,8 +86,15 @@ impl KlartextInterpreter<'_> {
         let Some((axis, range)) = missing else { return true };
         let letter = AXIS_WORDS[axis];
         if self.is_first_report(&format!("axis {letter}")) {
-            let message = format!("this machine has no axis {letter}");
-            self.problem(Code::NoSuchAxis, range, message);
+            // Nobody has said which machine the program is for: it may have the axis.
+            let (code, message) = match self.programs.options.assumed_machine {
+                true => (
+                    Code::NotFollowed,
+                    format!("the assumed machine has no axis {letter}: its moves are missing here"),
+                ),
+                false => (Code::NoSuchAxis, format!("this machine has no axis {letter}")),
+            };
+            self.problem(code, range, message);
         }
         false
     }

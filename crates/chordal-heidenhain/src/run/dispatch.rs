@@ -126,6 +126,10 @@ impl KlartextInterpreter<'_> {
             UnfollowedFunction::Selection => ("SEL", "tables are not followed here"),
         };
         self.not_followed_once(subject, range, message);
+        if what == UnfollowedFunction::Probe {
+            // What is measured is not known; the run is not verified from here on.
+            (115..=119).chain(150..=160).for_each(|number| self.parameters.set_shared(number, 0.0));
+        }
         if matches!(what, UnfollowedFunction::FreeContour | UnfollowedFunction::VectorLine) {
             self.kernel.go_astray(chordal_command::AxisMask::XY);
             self.modes.contour.direction = None;

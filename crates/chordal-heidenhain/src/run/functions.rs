@@ -58,8 +58,11 @@ impl KlartextInterpreter<'_> {
                 }
             }
             _ => {
-                let what = format!("M{number} is a function of the machine that is not known here");
-                self.assumed_once(&format!("M{number}"), function.range, &what);
+                if self.is_first_report(&format!("M{number}")) {
+                    let what =
+                        format!("M{number} is a function of the machine: it moves nothing here");
+                    self.problem(Code::NotSimulated, function.range, what);
+                }
             }
         }
     }

@@ -298,8 +298,7 @@ impl KlartextInterpreter<'_> {
         is_rapid: bool,
     ) {
         let Some(value) = function.value else {
-            let what = "M140 MB MAX retracts to the limit of travel, whose place is not known here: the tool stays";
-            return self.assumed_once("M140", function.range, what);
+            return self.retract_to_limit(function.range, words, is_rapid);
         };
         let Some(length) = self.operand(value, function.range) else { return };
         let start = self.programmed();
@@ -312,6 +311,27 @@ impl KlartextInterpreter<'_> {
         // Without a feed it is a rapid.
         let is_rapid = is_rapid || words.feed.is_none();
         self.move_along(Some(words), &element, end, named, is_rapid);
+    }
+
+    /// M140 MB MAX: to the limit of travel of the tool axis.
+    fn retract_to_limit(&mut self, range: TextRange, words: &PathWords, is_rapid: bool) {
+        let axis = self.tool_axis();
+        let limits = self.kernel.machine.axes[axis].as_ref().and_then(|axis| axis.travel);
+        let Some((_, limit)) = limits else {
+            let what = "M140 MB MAX retracts to the limit of travel, which the machine file does not give: the tool stays";
+            return self.assumed_once("M140", range, what);
+        };
+        let mut place = [0.0; 6];
+        place[axis] = limit;
+        let mut named = AxisMask::NONE;
+        named.insert(axis);
+        self.kernel.state.motion = match is_rapid || words.feed.is_none() {
+            true => ModalMotion::Rapid,
+            false => ModalMotion::Linear,
+        };
+        let view = KlartextView { span: self.span(self.here), words: Some(words) };
+        self.kernel.to_machine_point(&view, place, named);
+        self.modes.contour.direction = None;
     }
 
     /// CC: the centre of arcs and the pole of polar coordinates.

@@ -81,7 +81,10 @@ impl KlartextInterpreter<'_> {
         };
         self.kernel.select_tool(number);
         let span = self.span(range);
+        // The tool that is in the spindle is not changed, and the spindle goes on.
+        let spindle = (self.kernel.state.tool == number).then_some(self.kernel.state.spindle);
         self.kernel.tool_change(span);
+        self.kernel.state.spindle = spindle.unwrap_or(self.kernel.state.spindle);
         let allowances = words.allowances.map(|value| {
             value.and_then(|value| self.operand(value, range)).unwrap_or(0.0) * self.unit_mm()
         });

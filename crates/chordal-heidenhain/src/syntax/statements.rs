@@ -62,7 +62,16 @@ pub fn statement(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         }
         "M" => KlartextStatement::Functions(Box::new(path_words(cursor))),
         "LN" => not_followed(cursor, UnfollowedFunction::VectorLine),
+        "PLANE" if is_level_plane(cursor) => {
+            cursor.take_rest();
+            KlartextStatement::Nothing
+        }
         "PLANE" => not_followed(cursor, UnfollowedFunction::Plane),
+        // What ends here never began, and milling is the mode of a mill.
+        "FUNCTION" if matches!(cursor.word_after(1), Some("RESET" | "MODE")) => {
+            cursor.take_rest();
+            KlartextStatement::Nothing
+        }
         "FUNCTION" => not_followed(cursor, UnfollowedFunction::ToolCenterPoint),
         "SEL" => not_followed(cursor, UnfollowedFunction::Selection),
         "FL" | "FLT" | "FC" | "FCT" | "FPOL" | "FSELECT" => {
@@ -181,6 +190,21 @@ fn approach_form(word: &str) -> Option<KlartextApproachForm> {
         "LCT" | "PLCT" => KlartextApproachForm::LineAndArc,
         _ => return None,
     })
+}
+
+/// Whether PLANE leaves the plane as it is: PLANE RESET, or three angles of zero.
+fn is_level_plane(cursor: &TokenCursor<'_>) -> bool {
+    if cursor.word_after(1) == Some("RESET") {
+        return true;
+    }
+    let rest = cursor.shown(cursor.rest()).to_ascii_uppercase();
+    let is_zero = |name: &str| {
+        rest.split_once(name).is_some_and(|(_, after)| {
+            let value = after.split_whitespace().next().unwrap_or("").replace(',', ".");
+            value.parse::<f64>() == Ok(0.0)
+        })
+    };
+    cursor.word_after(1) == Some("SPATIAL") && ["SPA", "SPB", "SPC"].into_iter().all(is_zero)
 }
 
 fn unknown(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
