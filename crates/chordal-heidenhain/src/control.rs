@@ -19,6 +19,7 @@ use crate::alarms::TEXTS_OF_CODES;
 use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
+use crate::tool_table::{is_tool_table, take_tool_table};
 
 /// The facts of the control.
 pub const HEIDENHAIN_PROFILE: ControlProfile = ControlProfile {
@@ -104,6 +105,18 @@ impl ConfiguredControl for HeidenhainControl {
 
     fn subprogram_extensions(&self) -> &'static [&'static str] {
         &["h", "i"]
+    }
+
+    fn table_extensions(&self) -> &'static [&'static str] {
+        &["t"]
+    }
+
+    fn is_table(&self, text: &[u8]) -> bool {
+        is_tool_table(text)
+    }
+
+    fn take_table(&self, text: &[u8], machine: &mut Machine) {
+        take_tool_table(text, machine);
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -14,6 +14,7 @@ mod recognition;
 mod run;
 mod settings;
 pub mod syntax;
+mod tool_table;
 pub mod values;
 mod vocabulary;
 

@@ -61,7 +61,11 @@ impl<'a> KlartextTexts<'a> {
             head: program_head(source.text()),
             stem: file_stem(source.name()),
         };
-        let texts = sources.iter().map(text).collect();
+        // Tables are read with the machine; they are no programs.
+        let is_program = |(file, source): &(FileId, &chordal_diagnostics::Source<'_>)| {
+            *file == FileId(0) || !control.is_table(source.text())
+        };
+        let texts = sources.iter().filter(is_program).map(text).collect();
         KlartextTexts { control, settings, sources, machine, options, texts }
     }
 
