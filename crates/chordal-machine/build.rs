@@ -9,9 +9,9 @@ fn main() {
     let root =
         PathBuf::from(env::var("CARGO_MANIFEST_DIR").expect("cargo names the crate's folder"));
     let controls = root.join("../chordal-dialect/src/controls");
-    let sinumerik = root.join("../chordal-sinumerik/machines");
+    // The controls of other languages have their machines in their crate.
+    let own_crates = ["../chordal-sinumerik/machines", "../chordal-heidenhain/machines"];
     println!("cargo::rerun-if-changed={}", controls.display());
-    println!("cargo::rerun-if-changed={}", sinumerik.display());
     let mut files: Vec<PathBuf> = Vec::new();
     for control in entries(&controls) {
         let machines = control.join("machines");
@@ -19,7 +19,10 @@ fn main() {
             files.extend(entries(&machines));
         }
     }
-    files.extend(entries(&sinumerik));
+    for folder in own_crates.map(|folder| root.join(folder)) {
+        println!("cargo::rerun-if-changed={}", folder.display());
+        files.extend(entries(&folder));
+    }
     files.retain(|file| file.extension().is_some_and(|ending| ending == "toml"));
     files.sort_by_key(|file| file.file_stem().map(ToOwned::to_owned));
     let mut text = String::from(

@@ -32,6 +32,10 @@ pub struct ProgrammedCorner {
     pub form: CornerForm,
     /// The radius of a rounding, or the distance of a chamfer from the corner, mm.
     pub size_mm: f64,
+    /// The block of its own in which the corner is programmed; `None` where it is a word of the move before it.
+    pub block: Option<Origin>,
+    /// The feed of the corner alone, in the unit of the feed mode; `None` for that of the move before it.
+    pub feed: Option<f64>,
 }
 
 /// What came after the waiting move.

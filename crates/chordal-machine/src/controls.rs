@@ -26,6 +26,7 @@ macro_rules! controls {
             // is a control of a language crate.
             Sinumerik "sinumerik",
             SinumerikLathe "sinumerik-lathe",
+            Heidenhain "heidenhain",
         }
     };
 }

@@ -3,6 +3,7 @@
 use std::sync::{Arc, PoisonError, RwLock};
 
 use chordal_gcode::WordAddressLanguage;
+use chordal_heidenhain::HeidenhainLanguage;
 use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, ProgrammingLanguage, Recognition,
     SettingError,
@@ -11,7 +12,8 @@ use chordal_machine::{ControlName, Machine};
 use chordal_sinumerik::SinumerikLanguage;
 
 /// The languages that are built in.
-const BUILT_IN: [&dyn ProgrammingLanguage; 2] = [&WordAddressLanguage, &SinumerikLanguage];
+const BUILT_IN: [&dyn ProgrammingLanguage; 3] =
+    [&WordAddressLanguage, &SinumerikLanguage, &HeidenhainLanguage];
 
 /// The languages that the application has added.
 static REGISTERED: RwLock<Vec<&'static dyn ProgrammingLanguage>> = RwLock::new(Vec::new());

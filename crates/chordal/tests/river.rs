@@ -60,6 +60,16 @@ const MAY_USE: &[(&str, &[&str])] = &[
         ],
     ),
     (
+        "chordal-heidenhain",
+        &[
+            "chordal-diagnostics",
+            "chordal-geometry",
+            "chordal-machine",
+            "chordal-command",
+            "chordal-kernel",
+        ],
+    ),
+    (
         "chordal-path",
         &[
             "chordal-command",
@@ -85,6 +95,7 @@ const MAY_USE: &[(&str, &[&str])] = &[
             "chordal-dialect",
             "chordal-gcode",
             "chordal-sinumerik",
+            "chordal-heidenhain",
             "chordal-path",
             "chordal-motion",
             "chordal-stock",

@@ -1,4 +1,4 @@
-//! Heidenhain conversational programs.
+//! Heidenhain conversational programs, which a crate of their own reads.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, evidence};
@@ -7,12 +7,12 @@ use chordal_machine::ControlName;
 pub(super) const HEIDENHAIN: NotRead = NotRead {
     name: "heidenhain",
     what: "a Heidenhain conversational program",
-    why: "Heidenhain programs are not read yet",
+    why: "",
     signs: SIGNS,
     needed: 8,
     own: &[],
     needs_own: false,
-    shown_on: ControlName::Fanuc,
+    shown_on: ControlName::Heidenhain,
 };
 
 const SIGNS: &[RecognitionEvidence] = &[

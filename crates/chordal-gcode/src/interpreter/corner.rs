@@ -62,7 +62,9 @@ impl Interpreter<'_> {
             self.kernel
                 .report(Diagnostic::new(Code::BadWordValue, word, message).help("remove the sign"));
         } else if size_mm > 0.0 {
-            self.kernel.request_corner(ProgrammedCorner { word, name, form, size_mm });
+            let corner =
+                ProgrammedCorner { word, name, form, size_mm, block: None, feed: None };
+            self.kernel.request_corner(corner);
         }
     }
 
@@ -106,6 +108,8 @@ impl Interpreter<'_> {
             name,
             form,
             size_mm,
+            block: None,
+            feed: None,
         });
     }
 

@@ -43,7 +43,8 @@ const LATHES: &[&str] = &["fanuc-lathe", "haas-lathe", "linuxcnc-lathe", "mitsub
 const SMALL: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin"];
 
 /// Controls whose programs need no end.
-const NO_END: &[&str] = &["grbl", "grblhal", "fluidnc", "marlin", "sinumerik", "sinumerik-lathe"];
+const NO_END: &[&str] =
+    &["grbl", "grblhal", "fluidnc", "marlin", "sinumerik", "sinumerik-lathe", "heidenhain"];
 
 /// The feed of a hole begins where the tool is.
 const NO_R: &[&str] =
@@ -121,12 +122,13 @@ pub const KINDS: &[Kind] = &[
     // Programs.
     kind("called program is not there", lost_program, &["CH201", "CH202"]),
     kind("call without its number", call_without_number, &["CH202", "CH308"]),
-    // The end of the text is the end of a Sinumerik program.
+    // The end of the text is the end of a Sinumerik program, END PGM that of a conversational one.
     kind("no end of program", no_end, &["CH205"]).at(last_line).not_on(NO_END),
     // Macros.
     kind("jump to a number that is not there", lost_label, &["CH202"]),
     kind("bracket not closed", open_bracket, &["CH701", "CH700", "CH704"]),
-    kind("division by zero", division_by_zero, &["CH707"]),
+    // It is planted with square brackets, which conversational programs do not have.
+    kind("division by zero", division_by_zero, &["CH707"]).not_on(&["heidenhain"]),
     kind("loop without its end", open_loop, &["CH712"]).at(loop_head),
     kind("variable that there is not", bad_variable, &["CH705"]),
 ];

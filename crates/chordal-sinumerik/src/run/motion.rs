@@ -351,6 +351,8 @@ impl Interpreter<'_> {
             return;
         }
         let word = self.span(range);
-        self.kernel.request_corner(ProgrammedCorner { word, name, form, size_mm: size });
+        let corner =
+            ProgrammedCorner { word, name, form, size_mm: size, block: None, feed: None };
+        self.kernel.request_corner(corner);
     }
 }

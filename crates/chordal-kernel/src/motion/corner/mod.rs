@@ -243,8 +243,10 @@ impl Kernel<'_> {
     fn join(&mut self, queued: QueuedMove, next: CommandKind) -> Option<CommandKind> {
         match self.corner_between(&queued, &next) {
             Ok(Some(JoinedMoves { first, corner, next })) => {
-                for part in first.into_iter().chain([corner]) {
-                    let command = self.in_work(part, queued.origin);
+                let of_corner = queued.corner.block.unwrap_or(queued.origin);
+                let first = first.into_iter().map(|part| (part, queued.origin));
+                for (part, origin) in first.chain([(corner, of_corner)]) {
+                    let command = self.in_work(part, origin);
                     self.hand_over(&command);
                 }
                 self.push_waiting(queued.waiting);
@@ -337,6 +339,7 @@ impl Kernel<'_> {
         let motion = Move { from: start, to: end, from_known: known, to_known: known };
         let mut feed = feed_of(&queued.kind);
         feed.along = FeedAlong::Path;
+        feed.value = queued.corner.feed.unwrap_or(feed.value);
         let corner = match fit.arc {
             None => CommandKind::Line { motion, feed },
             Some((center, sweep)) => {

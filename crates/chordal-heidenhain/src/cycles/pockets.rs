@@ -1,0 +1,490 @@
+//! Pockets and slots: cycles 251 to 254, and 4 and 5 of old controls.
+//!
+//! Shape, levels and ends are those of the control. The order of the cuts is not given by any manual: each level is
+//! cleared in rings from the centre outwards, counter-clockwise.
+
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+use chordal_kernel::frames::sin_cos_degrees;
+
+use super::old_cycles::OldCycle;
+use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
+use super::values::CycleValues;
+
+/// More rings or levels than this are a mistake in the data.
+const MAX_POCKET_RINGS: f64 = 10_000.0;
+
+/// The stepover as a part of the radius of the tool, where the cycle gives none.
+const USUAL_OVERLAP: f64 = 1.0;
+
+/// The outline that the centre of the tool follows on the wall, about a point; mm.
+#[derive(Clone, Copy, PartialEq, Debug)]
+enum PocketOutline {
+    /// Half of both sides, the radius of the corners, the angle, degrees.
+    Rectangle([f64; 2], f64, f64),
+    /// The radius.
+    Circle(f64),
+    /// An arc slot: the radius of its centre line, half its width, its first angle and its length, degrees.
+    ArcSlot(f64, f64, f64, f64),
+}
+
+/// What is cut at each level.
+#[derive(Clone, Copy, Debug)]
+struct PocketLevels {
+    clearance: f64,
+    surface: f64,
+    bottom: f64,
+    end: f64,
+    /// The depth of a cut.
+    infeed: f64,
+}
+
+/// How it is cut.
+#[derive(Clone, Copy, Debug)]
+struct PocketFeeds {
+    plunge: CycleFeed,
+    mill: CycleFeed,
+    finish: CycleFeed,
+    /// The distance of two rings, mm.
+    stepover: f64,
+}
+
+/// Whether a cycle is one of this file.
+pub fn is_pocket_cycle(number: u32) -> bool {
+    matches!(number, 251..=254)
+}
+
+fn too_large(tool: f64, width: f64) -> KlartextCycleFault {
+    let message = format!("the tool of {} mm does not fit into {width} mm", 2.0 * tool);
+    KlartextCycleFault::ToolTooLarge(message)
+}
+
+fn tool_radius(context: &CycleContext, number: u32) -> Result<f64, KlartextCycleFault> {
+    context.tool_radius.ok_or_else(|| {
+        let message = format!("cycle {number} needs the radius of the tool, which is not given");
+        KlartextCycleFault::NotFollowed(message)
+    })
+}
+
+/// The steps of cycle 251, 252, 253 or 254.
+///
+/// # Errors
+/// Why it does not run.
+pub fn pocket_steps(
+    number: u32,
+    values: &CycleValues,
+    context: &CycleContext,
+) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
+    let depth = values.length(201);
+    if depth == 0.0 {
+        return Ok(Vec::new());
+    }
+    if depth > 0.0 {
+        let message = format!("the depth Q201 is {depth}: it is negative downwards");
+        return Err(KlartextCycleFault::BadValue(message));
+    }
+    let tool = tool_radius(context, number)?;
+    let surface = values.length(203);
+    let clearance = surface + values.length(200);
+    let allowance = values.length(368).max(0.0);
+    let kind = values.number(215).round() as i64;
+    let floor = if kind == 1 { values.length(369).max(0.0) } else { 0.0 };
+    let levels = PocketLevels {
+        clearance,
+        surface,
+        bottom: surface + depth + floor,
+        end: clearance.max(surface + values.length(204)),
+        infeed: values.length(202),
+    };
+    let overlap = match values.number(370) {
+        factor if factor > 0.0 => factor,
+        _ => USUAL_OVERLAP,
+    };
+    let mill = values.feed(207);
+    let finish = match values.feed(385) {
+        CycleFeed::Active => mill,
+        feed => feed,
+    };
+    let feeds = PocketFeeds { plunge: values.feed(206), mill, finish, stepover: overlap * tool };
+    let wall = outline(number, values, tool)?;
+    let rough = shrunk(wall, allowance);
+    let parts =
+        PocketParts { wall, rough, roughs: kind != 2, finishes: kind != 1 && allowance > 0.0 };
+    let mut steps = vec![KlartextCycleStep::Rapid(levels.clearance)];
+    for place in places(number, values, context) {
+        cut_pocket(&parts, place, &levels, &feeds, &mut steps)?;
+    }
+    steps.push(KlartextCycleStep::Rapid(levels.end));
+    Ok(steps)
+}
+
+/// The steps of cycle 4 or 5, which begin at the level where the tool is.
+///
+/// # Errors
+/// Why it does not run.
+pub fn old_pocket_steps(
+    cycle: &OldCycle,
+    context: &CycleContext,
+) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
+    let missing = cycle.missing_lines();
+    if let Some(line) = missing.first() {
+        let message = format!("line {}.{line} of the cycle is missing", cycle.number);
+        return Err(KlartextCycleFault::Incomplete(message));
+    }
+    let value = |line: u32, index: usize| {
+        let values = cycle.data.lines.get(&line);
+        values.and_then(|values| values.get(index)).copied().unwrap_or(0.0)
+    };
+    let tool = tool_radius(context, cycle.number)?;
+    let surface = context.level - value(1, 0).abs();
+    let levels = PocketLevels {
+        clearance: context.level,
+        surface,
+        bottom: surface - value(2, 0).abs(),
+        end: context.level,
+        infeed: value(3, 0).abs(),
+    };
+    let mut mill = CycleFeed::Active;
+    let wall = match cycle.number {
+        4 => {
+            let sides = [value(4, 0), value(5, 0)].map(f64::abs);
+            mill = speed(value(6, 0)).unwrap_or(mill);
+            rectangle(sides, value(6, 1), 0.0, tool)?
+        }
+        _ => {
+            mill = speed(value(5, 0)).unwrap_or(mill);
+            circle(2.0 * value(4, 0).abs(), tool)?
+        }
+    };
+    let plunge = speed(value(3, 1)).unwrap_or(mill);
+    let feeds = PocketFeeds { plunge, mill, finish: mill, stepover: USUAL_OVERLAP * tool };
+    let parts = PocketParts { wall, rough: wall, roughs: true, finishes: false };
+    let mut steps = Vec::new();
+    cut_pocket(&parts, [0.0; 2], &levels, &feeds, &mut steps)?;
+    steps.push(KlartextCycleStep::Rapid(levels.end));
+    Ok(steps)
+}
+
+fn speed(value: f64) -> Option<CycleFeed> {
+    (value > 0.0).then_some(CycleFeed::Speed(value))
+}
+
+fn rectangle(
+    sides: [f64; 2],
+    corner: f64,
+    degrees: f64,
+    tool: f64,
+) -> Result<PocketOutline, KlartextCycleFault> {
+    let halves = sides.map(|side| side / 2.0 - tool);
+    if halves.iter().any(|half| *half < -1e-9) {
+        return Err(too_large(tool, sides[0].min(sides[1])));
+    }
+    let halves = halves.map(|half| half.max(0.0));
+    let corner = (corner - tool).clamp(0.0, halves[0].min(halves[1]));
+    Ok(PocketOutline::Rectangle(halves, corner, degrees))
+}
+
+fn circle(diameter: f64, tool: f64) -> Result<PocketOutline, KlartextCycleFault> {
+    let radius = diameter / 2.0 - tool;
+    if radius < -1e-9 {
+        return Err(too_large(tool, diameter));
+    }
+    Ok(PocketOutline::Circle(radius.max(0.0)))
+}
+
+fn outline(
+    number: u32,
+    values: &CycleValues,
+    tool: f64,
+) -> Result<PocketOutline, KlartextCycleFault> {
+    match number {
+        251 => {
+            let sides = [values.length(218), values.length(219)];
+            rectangle(sides, values.length(220), values.number(224), tool)
+        }
+        252 => circle(values.length(223), tool),
+        253 => {
+            let sides = [values.length(218), values.length(219)];
+            rectangle(sides, sides[1] / 2.0, values.number(374), tool)
+        }
+        _ => {
+            let half = values.length(219) / 2.0 - tool;
+            if half < -1e-9 {
+                return Err(too_large(tool, values.length(219)));
+            }
+            let radius = values.length(375) / 2.0;
+            Ok(PocketOutline::ArcSlot(
+                radius,
+                half.max(0.0).min(radius),
+                values.number(376),
+                values.number(248),
+            ))
+        }
+    }
+}
+
+/// The outline with an allowance on its wall.
+fn shrunk(wall: PocketOutline, by: f64) -> PocketOutline {
+    match wall {
+        PocketOutline::Rectangle(halves, corner, degrees) => {
+            let halves = halves.map(|half| (half - by).max(0.0));
+            PocketOutline::Rectangle(halves, (corner - by).max(0.0), degrees)
+        }
+        PocketOutline::Circle(radius) => PocketOutline::Circle((radius - by).max(0.0)),
+        PocketOutline::ArcSlot(radius, half, from, length) => {
+            PocketOutline::ArcSlot(radius, (half - by).max(0.0), from, length)
+        }
+    }
+}
+
+/// The centres of the pockets from where the cycle is called: a rectangle may be named by a corner, an arc slot by its
+/// centre, and it may be repeated.
+fn places(number: u32, values: &CycleValues, context: &CycleContext) -> Vec<[f64; 2]> {
+    if number == 254 {
+        let [x, y] = [216, 217].map(|number| values.length(number));
+        return vec![[x - context.position[0], y - context.position[1]]];
+    }
+    let [long, wide] = [218, 219].map(|number| values.length(number) / 2.0);
+    let place = values.number(367).round() as i64;
+    let (local, degrees) = match (number, place) {
+        // The corners, counter-clockwise from the one with the smallest coordinates.
+        (251, 1) => ([long, wide], values.number(224)),
+        (251, 2) => ([-long, wide], values.number(224)),
+        (251, 3) => ([-long, -wide], values.number(224)),
+        (251, 4) => ([long, -wide], values.number(224)),
+        (253, 1) => ([long, 0.0], values.number(374)),
+        (253, 2) => ([long - wide, 0.0], values.number(374)),
+        (253, 3) => ([wide - long, 0.0], values.number(374)),
+        (253, 4) => ([-long, 0.0], values.number(374)),
+        _ => ([0.0; 2], 0.0),
+    };
+    vec![turned(local, degrees)]
+}
+
+fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
+    let (sin, cos) = sin_cos_degrees(degrees);
+    [x * cos - y * sin, x * sin + y * cos]
+}
+
+/// What is done of a pocket.
+#[derive(Clone, Copy, Debug)]
+struct PocketParts {
+    wall: PocketOutline,
+    rough: PocketOutline,
+    roughs: bool,
+    finishes: bool,
+}
+
+fn cut_pocket(
+    parts: &PocketParts,
+    place: [f64; 2],
+    levels: &PocketLevels,
+    feeds: &PocketFeeds,
+    steps: &mut Vec<KlartextCycleStep>,
+) -> Result<(), KlartextCycleFault> {
+    let depth = levels.surface - levels.bottom;
+    let count = match levels.infeed {
+        infeed if infeed > 0.0 => (depth / infeed - 1e-9).ceil().max(1.0),
+        _ => 1.0,
+    };
+    if count > MAX_POCKET_RINGS {
+        let message = format!("an infeed of {} mm makes {count} levels", levels.infeed);
+        return Err(KlartextCycleFault::BadValue(message));
+    }
+    let start = start_point(&parts.rough, place);
+    steps.push(KlartextCycleStep::Across { offset: start, feed: CycleFeed::Rapid });
+    let mut cut_levels: Vec<f64> =
+        (1..count as u32).map(|level| levels.surface - f64::from(level) * levels.infeed).collect();
+    cut_levels.push(levels.bottom);
+    if parts.roughs {
+        for level in cut_levels {
+            steps.push(KlartextCycleStep::Feed { to: level, feed: feeds.plunge });
+            for ring in rings(&parts.rough, feeds.stepover)? {
+                follow(&ring, place, feeds.mill, steps);
+            }
+            steps.push(KlartextCycleStep::Across { offset: start, feed: feeds.mill });
+        }
+    }
+    if parts.finishes {
+        steps.push(KlartextCycleStep::Feed { to: levels.bottom, feed: feeds.plunge });
+        follow(&parts.wall, place, feeds.finish, steps);
+        steps.push(KlartextCycleStep::Across { offset: start, feed: feeds.finish });
+    }
+    steps.push(KlartextCycleStep::Rapid(levels.clearance));
+    Ok(())
+}
+
+/// Where the tool goes down.
+fn start_point(outline: &PocketOutline, place: [f64; 2]) -> [f64; 2] {
+    let local = match outline {
+        PocketOutline::ArcSlot(radius, _, from, _) => {
+            let (sin, cos) = sin_cos_degrees(*from);
+            [radius * cos, radius * sin]
+        }
+        PocketOutline::Rectangle(..) | PocketOutline::Circle(_) => [0.0; 2],
+    };
+    [place[0] + local[0], place[1] + local[1]]
+}
+
+/// The rings of a level from the inside outwards, the last on the wall.
+fn rings(outline: &PocketOutline, stepover: f64) -> Result<Vec<PocketOutline>, KlartextCycleFault> {
+    let reach = match outline {
+        PocketOutline::Rectangle(halves, ..) => halves[0].min(halves[1]),
+        PocketOutline::Circle(radius) => *radius,
+        PocketOutline::ArcSlot(_, half, ..) => *half,
+    };
+    let count = if stepover > 0.0 { (reach / stepover - 1e-9).ceil().max(1.0) } else { 1.0 };
+    if count > MAX_POCKET_RINGS {
+        let message = format!("a stepover of {stepover} mm makes {count} rings");
+        return Err(KlartextCycleFault::BadValue(message));
+    }
+    let ring = |index: u32| {
+        let inset = reach * (1.0 - f64::from(index) / count);
+        shrunk(*outline, inset)
+    };
+    Ok((0..=count as u32).map(ring).collect())
+}
+
+/// Once round an outline, counter-clockwise, about a point.
+fn follow(
+    outline: &PocketOutline,
+    place: [f64; 2],
+    feed: CycleFeed,
+    steps: &mut Vec<KlartextCycleStep>,
+) {
+    let at = |[x, y]: [f64; 2]| [place[0] + x, place[1] + y];
+    match outline {
+        PocketOutline::Circle(radius) => {
+            if *radius <= 0.0 {
+                return;
+            }
+            steps.push(KlartextCycleStep::Across { offset: at([*radius, 0.0]), feed });
+            let end = at([*radius, 0.0]);
+            steps.push(KlartextCycleStep::Arc { center: place, end, sweep_rad: TAU, feed });
+        }
+        PocketOutline::Rectangle([x, y], corner, degrees) => {
+            let put = |local: [f64; 2]| at(turned(local, *degrees));
+            let r = *corner;
+            let line = |local: [f64; 2]| KlartextCycleStep::Across { offset: put(local), feed };
+            let arc = |center: [f64; 2], end: [f64; 2]| KlartextCycleStep::Arc {
+                center: put(center),
+                end: put(end),
+                sweep_rad: FRAC_PI_2,
+                feed,
+            };
+            steps.push(line([*x, 0.0]));
+            // Signs of the corners, and whether the corner is left along the first axis.
+            for [sx, sy] in [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]] {
+                let center = [sx * (x - r), sy * (y - r)];
+                let upright = [sx * x, sy * (y - r)];
+                let level = [sx * (x - r), sy * y];
+                let (first, last) = if sx == sy { (upright, level) } else { (level, upright) };
+                steps.push(line(first));
+                if r > 0.0 {
+                    steps.push(arc(center, last));
+                }
+            }
+            steps.push(line([*x, 0.0]));
+        }
+        PocketOutline::ArcSlot(radius, half, from, length) => {
+            let polar = |radius: f64, degrees: f64| {
+                let (sin, cos) = sin_cos_degrees(degrees);
+                at([radius * cos, radius * sin])
+            };
+            let to = from + length;
+            let sweep_rad = length.to_radians();
+            let turn = sweep_rad.signum() * PI;
+            steps.push(KlartextCycleStep::Across { offset: polar(radius + half, *from), feed });
+            let mut arc = |center, end, sweep_rad| {
+                steps.push(KlartextCycleStep::Arc { center, end, sweep_rad, feed });
+            };
+            arc(place, polar(radius + half, to), sweep_rad);
+            if *half > 0.0 {
+                arc(polar(*radius, to), polar(radius - half, to), turn);
+            }
+            if radius - half > 0.0 {
+                arc(place, polar(radius - half, *from), -sweep_rad);
+            }
+            if *half > 0.0 {
+                arc(polar(*radius, *from), polar(radius + half, *from), turn);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+
+    const CONTEXT: CycleContext = CycleContext {
+        level: 2.0,
+        position: [0.0; 2],
+        tool_radius: Some(5.0),
+        point_angle: None,
+        rpm: 1000.0,
+        peck_stop: Some(0.2),
+        refuses_positive_depth: true,
+    };
+
+    fn steps(number: u32, numbers: &[(u32, f64)]) -> Vec<KlartextCycleStep> {
+        let numbers: BTreeMap<u32, f64> = numbers.iter().copied().collect();
+        let values = CycleValues::new(numbers, BTreeMap::new(), 1.0, 1.0 / 60.0);
+        pocket_steps(number, &values, &CONTEXT).expect("steps")
+    }
+
+    /// The largest coordinates that the ends of the steps reach.
+    fn reach(steps: &[KlartextCycleStep]) -> [f64; 2] {
+        steps.iter().fold([0.0_f64; 2], |most, step| match step {
+            KlartextCycleStep::Across { offset: [x, y], .. }
+            | KlartextCycleStep::Arc { end: [x, y], .. } => {
+                [most[0].max(x.abs()), most[1].max(y.abs())]
+            }
+            _ => most,
+        })
+    }
+
+    fn plunges(steps: &[KlartextCycleStep]) -> usize {
+        steps.iter().filter(|step| matches!(step, KlartextCycleStep::Feed { .. })).count()
+    }
+
+    #[test]
+    fn the_centre_of_the_tool_stays_its_radius_from_the_walls() {
+        let data = [(200, 2.0), (201, -12.0), (202, 4.0), (218, 60.0), (219, 40.0), (220, 8.0)];
+        let found = steps(251, &data);
+        assert_eq!(reach(&found), [25.0, 15.0]);
+        assert_eq!(plunges(&found), 3);
+        let round = [(200, 2.0), (201, -10.0), (202, 2.5), (223, 50.0)];
+        let found = steps(252, &round);
+        assert_eq!(reach(&found), [20.0, 0.0]);
+        assert_eq!(plunges(&found), 4);
+    }
+
+    #[test]
+    fn arcs_of_a_slot_end_where_the_next_begins() {
+        let data = [(200, 2.0), (201, -6.0), (219, 12.0), (375, 70.0), (376, 45.0), (248, 90.0)];
+        let mut at = [0.0; 2];
+        for step in steps(254, &data) {
+            match step {
+                KlartextCycleStep::Across { offset, .. } => at = offset,
+                KlartextCycleStep::Arc { center, end, sweep_rad, .. } => {
+                    let [x, y] = [at[0] - center[0], at[1] - center[1]];
+                    let (sin, cos) = libm::sincos(sweep_rad);
+                    let reached = [center[0] + x * cos - y * sin, center[1] + x * sin + y * cos];
+                    assert!((reached[0] - end[0]).hypot(reached[1] - end[1]) < 1e-9);
+                    at = end;
+                }
+                _ => {}
+            }
+        }
+    }
+
+    #[test]
+    fn a_tool_that_does_not_fit_is_refused() {
+        let numbers: BTreeMap<u32, f64> = [(201, -5.0), (223, 9.0)].into_iter().collect();
+        let values = CycleValues::new(numbers, BTreeMap::new(), 1.0, 1.0 / 60.0);
+        let fault = pocket_steps(252, &values, &CONTEXT);
+        assert!(matches!(fault, Err(KlartextCycleFault::ToolTooLarge(_))));
+    }
+}

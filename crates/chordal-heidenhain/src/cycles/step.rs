@@ -1,0 +1,94 @@
+//! The steps of cycles.
+
+/// A feed of a step.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum CycleFeed {
+    /// A speed, mm/s.
+    Speed(f64),
+    /// As fast as the machine goes.
+    Rapid,
+    /// That of the program (an old cycle without F).
+    Active,
+}
+
+/// A step of a cycle. Levels are programmed coordinates of the tool axis, offsets lie in the plane from where the cycle
+/// was called; mm.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub enum KlartextCycleStep {
+    /// To a level by a rapid.
+    Rapid(f64),
+    /// To a level at a feed.
+    Feed {
+        /// The level.
+        to: f64,
+        /// The feed.
+        feed: CycleFeed,
+    },
+    /// To a point of the plane, on a level.
+    Across {
+        /// From where the cycle was called.
+        offset: [f64; 2],
+        /// The feed.
+        feed: CycleFeed,
+    },
+    /// An arc in the plane, on a level.
+    Arc {
+        /// Its centre, from where the cycle was called.
+        center: [f64; 2],
+        /// Its end, from there as well.
+        end: [f64; 2],
+        /// Its angle, rad, positive counter-clockwise.
+        sweep_rad: f64,
+        /// The feed.
+        feed: CycleFeed,
+    },
+    /// A helix about where the cycle was called, counter-clockwise.
+    Helix {
+        /// Its angle, rad.
+        sweep_rad: f64,
+        /// Its end level.
+        to: f64,
+        /// The feed.
+        feed: CycleFeed,
+    },
+    /// A wait, s.
+    Dwell(f64),
+    /// The spindle stops at an angle.
+    Orient,
+    /// The spindle turns again as before the cycle.
+    SpindleOn,
+    /// The spindle turns the other way than before the cycle.
+    Reverse,
+}
+
+/// What a cycle finds when it is called; lengths in mm.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct CycleContext {
+    /// The programmed coordinate of the tool axis.
+    pub level: f64,
+    /// The programmed coordinates of the plane.
+    pub position: [f64; 2],
+    /// The radius of the tool; `None` where it is not known.
+    pub tool_radius: Option<f64>,
+    /// The angle of its tip from side to side, rad; `None` where it is not known.
+    pub point_angle: Option<f64>,
+    /// The speed of the spindle, rev/min.
+    pub rpm: f64,
+    /// How far above the last depth the rapid of cycle 200 ends; `None` for the set-up clearance.
+    pub peck_stop: Option<f64>,
+    /// A positive depth is an error.
+    pub refuses_positive_depth: bool,
+}
+
+/// Why a cycle is not run.
+#[derive(Clone, PartialEq, Debug)]
+pub enum KlartextCycleFault {
+    /// Data are missing, by the names of their words.
+    Incomplete(String),
+    /// A value that does not fit, in words.
+    BadValue(String),
+    /// The tool does not fit, in words.
+    ToolTooLarge(String),
+    /// The cycle is not carried out here, in words.
+    NotFollowed(String),
+}

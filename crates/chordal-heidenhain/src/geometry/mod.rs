@@ -1,0 +1,11 @@
+//! Elements of contours, approaches and departures, as pure functions on points of a plane, mm.
+
+mod approach;
+mod element;
+mod vectors;
+
+pub use approach::{
+    ApproachArc, ApproachFault, ApproachPath, ApproachRequest, approach_path, departure_path,
+};
+pub use element::{ContourElement, arc_about, arc_by_radius, arc_fault_mm, tangent_center};
+pub use vectors::{COINCIDENT_POINTS_MM, distance, left_normal, turned_about, unit_vector};

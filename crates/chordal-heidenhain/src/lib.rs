@@ -1,0 +1,23 @@
+//! The conversational language of HEIDENHAIN controls (Klartext): reads programs and drives the kernel.
+//!
+//! `syntax` reads the text into blocks and never fails; `values` are those of parameters and formulas; `geometry` has
+//! tangent arcs, approaches and departures as pure functions; `cycles` says what the cycles do; `run` carries a program
+//! out.
+
+#![forbid(unsafe_code)]
+
+mod alarms;
+mod control;
+pub mod cycles;
+pub mod geometry;
+mod recognition;
+mod run;
+mod settings;
+pub mod syntax;
+mod tool_table;
+pub mod values;
+mod vocabulary;
+
+pub use control::{HeidenhainControl, HeidenhainLanguage};
+pub use run::KlartextPrograms;
+pub use settings::HeidenhainSettings;

@@ -1,0 +1,508 @@
+//! Cycles: their definition, their calls, and their moves.
+
+use std::collections::BTreeMap;
+
+use chordal_command::{AxisMask, CommandKind, FeedMode, SpindleState};
+use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_geometry::TurnDirection;
+
+use super::interpreter::KlartextInterpreter;
+use super::program_texts::called_name;
+use super::run_state::{CycleNumber, DataValue, KlartextFlow, StoredCycle};
+use crate::alarms::{CYCLE_INCOMPLETE, TOOL_TOO_LARGE};
+use crate::cycles::{
+    CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleStep, OldCycle,
+    OldCycleData, cycle_signature, is_drilling_cycle, is_pocket_cycle, old_cycle_lines,
+    old_cycle_steps, old_pocket_steps, parameter_cycle_steps, pattern_points, pocket_steps,
+};
+use crate::geometry::ContourElement;
+use crate::syntax::{CycleValue, CycleWord, KlartextStatement, PathWords};
+
+/// The parameters that a pattern gives to the cycle before it.
+const OF_PATTERN: [u32; 3] = [200, 203, 204];
+
+impl KlartextInterpreter<'_> {
+    /// CYCL DEF of a cycle with parameters: it is kept for calls, or acts at once.
+    pub(super) fn define_cycle(
+        &mut self,
+        number: u32,
+        words: &[(u32, CycleValue, TextRange)],
+    ) -> KlartextFlow {
+        let range = self.here;
+        let mut values = BTreeMap::new();
+        for (parameter, value, range) in words {
+            let number = match value {
+                CycleValue::Operand(operand) => self.operand(*operand, *range),
+                _ => None,
+            };
+            if let Some(number) = number {
+                self.parameters.set_shared(*parameter, number);
+            }
+            if let Some(value) = CycleNumber::of(*value, number) {
+                values.insert(*parameter, value);
+            }
+        }
+        let Some(signature) = cycle_signature(number) else {
+            let what = format!("cycle {number} is not known here: what it does is missing");
+            self.not_followed_once(&format!("cycle {number}"), range, &what);
+            if number < 400 {
+                self.modes.cycle = Some(StoredCycle::Parameters { number, values, range });
+            }
+            return KlartextFlow::Next;
+        };
+        if !signature.is_carried_out {
+            let what = format!(
+                "cycle {number} ({}) is not followed: what it cuts is missing here",
+                signature.title
+            );
+            self.not_followed_once(&format!("cycle {number}"), range, &what);
+        }
+        let missing: Vec<String> = signature
+            .required
+            .iter()
+            .filter(|parameter| !values.contains_key(parameter))
+            .map(|parameter| format!("Q{parameter}"))
+            .collect();
+        if !missing.is_empty() {
+            let message = format!("cycle {number} lacks {}", missing.join(", "));
+            let diagnostic = Diagnostic::new(Code::CycleLevels, self.span(range), message);
+            self.report_alarm(CYCLE_INCOMPLETE, diagnostic.help("write all data of the cycle"));
+        }
+        match number {
+            247 => {
+                let preset = match values.get(&339) {
+                    Some(CycleNumber::Value(value)) => Some(*value),
+                    _ => None,
+                };
+                self.activate_preset(preset);
+                KlartextFlow::Next
+            }
+            220 | 221 => self.run_pattern(number, &values),
+            _ => {
+                self.modes.cycle = Some(StoredCycle::Parameters { number, values, range });
+                KlartextFlow::Next
+            }
+        }
+    }
+
+    /// A line of the data of an old cycle.
+    pub(super) fn cycle_line(
+        &mut self,
+        number: u32,
+        line: u32,
+        words: &[CycleWord],
+        rest: TextRange,
+    ) {
+        let range = self.here;
+        match number {
+            7..=11 | 13 | 19 | 26 | 32 => {
+                if line > 0 {
+                    self.immediate_cycle(number, line, words);
+                }
+            }
+            12 => {
+                if line > 0 {
+                    let name = called_name(self.text(), rest);
+                    self.modes.cycle = Some(StoredCycle::Program { name, range });
+                }
+            }
+            _ if old_cycle_lines(number).is_some() => {
+                self.add_data(number, line, words);
+            }
+            _ => {
+                let what = format!("cycle {number} is not followed: what it cuts is missing here");
+                self.not_followed_once(&format!("cycle {number}"), range, &what);
+                let lines = BTreeMap::new();
+                self.modes.cycle = Some(StoredCycle::Lines { number, lines, range });
+            }
+        }
+    }
+
+    fn add_data(&mut self, number: u32, line: u32, words: &[CycleWord]) {
+        let is_begun = matches!(
+            &self.modes.open_cycle,
+            Some(StoredCycle::Lines { number: open, .. }) if *open == number && line > 0
+        );
+        if !is_begun {
+            let lines = BTreeMap::new();
+            self.modes.open_cycle = Some(StoredCycle::Lines { number, lines, range: self.here });
+        }
+        let mut data = Vec::new();
+        for word in words {
+            let value = word.value.and_then(|value| self.operand(value, word.range));
+            data.push(DataValue { label: word.label.clone(), value, direction: word.direction });
+        }
+        if let Some(StoredCycle::Lines { lines, .. }) = &mut self.modes.open_cycle
+            && line > 0
+        {
+            lines.insert(line, data);
+        }
+    }
+
+    /// Ends the definition of an old cycle before a block that does not belong to it.
+    pub(super) fn close_cycle(&mut self, next: &KlartextStatement) {
+        let Some(StoredCycle::Lines { number: open, .. }) = &self.modes.open_cycle else { return };
+        let goes_on = matches!(
+            next,
+            KlartextStatement::CycleLine { number, line, .. } if number == open && *line > 0
+        );
+        if goes_on {
+            return;
+        }
+        let closed = self.modes.open_cycle.take();
+        if let Some(StoredCycle::Lines { number, lines, range }) = &closed {
+            let missing = self.old_cycle(*number, lines).missing_lines();
+            if let Some(line) = missing.first() {
+                let message = format!("line {number}.{line} of the cycle is missing");
+                let diagnostic = Diagnostic::new(Code::CycleLevels, self.span(*range), message);
+                let help = "write all lines of the cycle";
+                self.report_alarm(CYCLE_INCOMPLETE, diagnostic.help(help));
+            }
+        }
+        self.modes.cycle = closed;
+    }
+
+    /// The data of an old cycle in mm and mm/s.
+    fn old_cycle(&self, number: u32, lines: &BTreeMap<u32, Vec<DataValue>>) -> OldCycle {
+        let unit = self.unit_mm();
+        let feed_unit = self.feed_mm(1.0, FeedMode::PerTime);
+        let by_line = |line: u32, value: f64| match (number, line) {
+            (1, 4) | (2, 3) => value,
+            (1, 5) | (2, 4) => value * feed_unit,
+            _ => value * unit,
+        };
+        // F stands with its letter on the lines of pockets.
+        let convert = |line: u32, word: &DataValue, value: f64| match word.label.as_str() {
+            "F" if matches!(number, 4 | 5) => value * feed_unit,
+            _ => by_line(line, value),
+        };
+        let values = |(line, data): (&u32, &Vec<DataValue>)| {
+            let values = data.iter().filter_map(|word| Some((word, word.value?)));
+            (*line, values.map(|(word, value)| convert(*line, word, value)).collect())
+        };
+        OldCycle { number, data: OldCycleData { lines: lines.iter().map(values).collect() } }
+    }
+
+    /// CYCL CALL.
+    pub(super) fn cycle_call_block(&mut self, words: &PathWords) -> KlartextFlow {
+        self.functions_at_start(words);
+        let called = self.call_cycle();
+        let flow = self.functions_at_end(&words.functions);
+        if matches!(called, KlartextFlow::End(_)) { called } else { flow }
+    }
+
+    /// CYCL CALL POS: a rapid or a move at F to a point, where the cycle runs. Z is added to the surface.
+    pub(super) fn cycle_at_position(&mut self, words: &PathWords) -> KlartextFlow {
+        self.functions_at_start(words);
+        let is_rapid = self.apply_feed(words.feed);
+        let Some(values) = self.values(words) else { return KlartextFlow::Next };
+        let start = self.programmed();
+        let (a, b, normal) = self.tool_plane().axes();
+        let mut place = [start[0], start[1], start[2]];
+        for axis in [a, b] {
+            if let Some(coordinate) = values.axes[axis] {
+                place[axis] = coordinate.from(place[axis]);
+            }
+        }
+        let plane = AxisMask(1 << a | 1 << b);
+        match is_rapid {
+            true => self.rapid_to(place, plane),
+            false => self.feed_to(place, plane),
+        }
+        let surface = values.axes[normal].map_or(0.0, |coordinate| coordinate.value);
+        let called = self.call_cycle_at(surface);
+        let flow = self.functions_at_end(&words.functions);
+        if matches!(called, KlartextFlow::End(_)) { called } else { flow }
+    }
+
+    /// CYCL CALL PAT: the cycle at each point of PATTERN DEF.
+    pub(super) fn cycle_at_pattern(&mut self, words: &PathWords) -> KlartextFlow {
+        self.functions_at_start(words);
+        self.apply_feed(words.feed);
+        let groups = self.modes.pattern.clone();
+        if groups.is_empty() {
+            let message = "CYCL CALL PAT needs PATTERN DEF before it";
+            self.problem(Code::MissingWord, self.here, message);
+        }
+        let (a, b, normal) = self.tool_plane().axes();
+        let unit = self.unit_mm();
+        for group in groups {
+            if group.name != "POS" {
+                let what = format!("{} of PATTERN DEF is not followed", group.name);
+                self.not_followed_once(&format!("pattern {}", group.name), group.range, &what);
+                continue;
+            }
+            let mut point = [0.0; 3];
+            for (name, value) in &group.words {
+                let axis = ["X", "Y", "Z"].iter().position(|axis| axis == name);
+                if let (Some(axis), Some(value)) = (axis, self.operand(*value, group.range)) {
+                    point[axis] = value * unit;
+                }
+            }
+            let start = self.programmed();
+            let mut place = [start[0], start[1], start[2]];
+            (place[a], place[b]) = (point[a], point[b]);
+            self.rapid_to(place, AxisMask(1 << a | 1 << b));
+            let called = self.call_cycle_at(point[normal]);
+            if matches!(called, KlartextFlow::End(_)) {
+                return called;
+            }
+        }
+        self.functions_at_end(&words.functions)
+    }
+
+    /// Runs the defined cycle where the tool is.
+    pub(super) fn call_cycle(&mut self) -> KlartextFlow {
+        self.call_cycle_at(0.0)
+    }
+
+    /// The same with the surface raised by a distance, mm.
+    fn call_cycle_at(&mut self, surface_mm: f64) -> KlartextFlow {
+        let Some(cycle) = self.modes.cycle.clone() else {
+            let message = "a cycle is called, and none is defined";
+            let diagnostic = Diagnostic::new(Code::NoCycle, self.span(self.here), message);
+            self.kernel.report(diagnostic.help("write CYCL DEF before the call"));
+            return KlartextFlow::Next;
+        };
+        match cycle {
+            StoredCycle::Program { name, .. } => return self.call_named_program(&name),
+            StoredCycle::Lines { number, lines, .. } => {
+                if old_cycle_lines(number).is_none() {
+                    return KlartextFlow::Next;
+                }
+                let old = self.old_cycle(number, &lines);
+                let context = self.cycle_context();
+                let steps = match number {
+                    4 | 5 => {
+                        self.report_assumed_path(number);
+                        old_pocket_steps(&old, &context)
+                    }
+                    _ => old_cycle_steps(&old, &context),
+                };
+                match steps {
+                    Ok(steps) => self.run_steps(&steps),
+                    Err(fault) => self.report_cycle(fault),
+                }
+            }
+            StoredCycle::Parameters { number, values, .. } => {
+                let values = self.cycle_values(&values);
+                let raised = values.length(203) + surface_mm;
+                self.run_parameter_cycle(number, &values.with_surface(raised));
+            }
+        }
+        KlartextFlow::Next
+    }
+
+    fn run_parameter_cycle(&mut self, number: u32, values: &CycleValues) {
+        let is_pocket = is_pocket_cycle(number);
+        if !is_pocket && !is_drilling_cycle(number) {
+            return;
+        }
+        if is_pocket || matches!(number, 204 | 208) {
+            self.report_assumed_path(number);
+        }
+        let context = self.cycle_context();
+        let steps = match is_pocket {
+            true => pocket_steps(number, values, &context),
+            false => parameter_cycle_steps(number, values, &context),
+        };
+        match steps {
+            Ok(steps) => self.run_steps(&steps),
+            Err(fault) => self.report_cycle(fault),
+        }
+    }
+
+    /// Says once for each cycle that its path is not that of the control in every move.
+    fn report_assumed_path(&mut self, number: u32) {
+        if !self.is_first_report(&format!("path of cycle {number}")) {
+            return;
+        }
+        let message =
+            format!("the manuals do not give every move of cycle {number}: its path is assumed");
+        let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
+        let help = "shape, depth and end are those of the control; the order of the moves and the time may differ";
+        self.kernel.report(diagnostic.help(help));
+    }
+
+    fn report_cycle(&mut self, fault: KlartextCycleFault) {
+        let range = self.here;
+        match fault {
+            KlartextCycleFault::Incomplete(message) => {
+                self.alarm(CYCLE_INCOMPLETE, Code::CycleLevels, range, message);
+            }
+            KlartextCycleFault::BadValue(message) => {
+                self.problem(Code::CycleLevels, range, message);
+            }
+            KlartextCycleFault::ToolTooLarge(message) => {
+                self.alarm(TOOL_TOO_LARGE, Code::PocketTooSmall, range, message);
+            }
+            KlartextCycleFault::NotFollowed(message) => self.not_followed(range, message),
+        }
+    }
+
+    /// The values of a cycle in mm and mm/s.
+    fn cycle_values(&self, values: &BTreeMap<u32, CycleNumber>) -> CycleValues {
+        let feed_unit = self.feed_mm(1.0, FeedMode::PerTime);
+        let (mut numbers, mut feeds) = (BTreeMap::new(), BTreeMap::new());
+        for (number, value) in values {
+            match value {
+                CycleNumber::Value(value) => {
+                    numbers.insert(*number, *value);
+                }
+                CycleNumber::Max => {
+                    feeds.insert(*number, CycleFeed::Rapid);
+                }
+                CycleNumber::OfTool => {
+                    let feed = self.modes.tool_feed.map(|feed| CycleFeed::Speed(feed * feed_unit));
+                    feeds.insert(*number, feed.unwrap_or(CycleFeed::Active));
+                }
+            }
+        }
+        CycleValues::new(numbers, feeds, self.unit_mm(), feed_unit)
+    }
+
+    fn cycle_context(&self) -> CycleContext {
+        let tool = self.kernel.state.tool;
+        let settings = &self.programs.settings;
+        let place = self.programmed();
+        let (a, b, normal) = self.tool_plane().axes();
+        CycleContext {
+            level: place[normal],
+            position: [place[a], place[b]],
+            tool_radius: self.kernel.state.offsets.radius_mm(tool),
+            point_angle: self.tools.get(&tool).and_then(|tool| tool.point_angle_rad),
+            rpm: self.kernel.state.rpm,
+            peck_stop: settings.peck_stop_mm,
+            refuses_positive_depth: settings.positive_depth_is_error,
+        }
+    }
+
+    /// Cycles 220 and 221: the cycle before them at each point.
+    fn run_pattern(&mut self, number: u32, values: &BTreeMap<u32, CycleNumber>) -> KlartextFlow {
+        let range = self.here;
+        let values = self.cycle_values(values);
+        let Some(StoredCycle::Parameters { number: inner, values: own, .. }) =
+            self.modes.cycle.clone()
+        else {
+            let message = format!("cycle {number} runs the cycle before it, and none is defined");
+            let diagnostic = Diagnostic::new(Code::NoCycle, self.span(range), message);
+            self.kernel.report(diagnostic.help("define a cycle before the pattern"));
+            return KlartextFlow::Next;
+        };
+        let pattern = match pattern_points(number, &values) {
+            Ok(pattern) => pattern,
+            Err(fault) => {
+                self.report_cycle(fault);
+                return KlartextFlow::Next;
+            }
+        };
+        let (a, b, _) = self.tool_plane().axes();
+        let cycle = self.cycle_values(&own).with(&values, &OF_PATTERN);
+        for point in pattern.points {
+            let start = self.programmed();
+            let mut place = [start[0], start[1], start[2]];
+            (place[a], place[b]) = (point[0], point[1]);
+            self.rapid_to(place, AxisMask(1 << a | 1 << b));
+            self.run_parameter_cycle(inner, &cycle);
+            if !self.kernel.count_repeated() {
+                return KlartextFlow::End(chordal_kernel::EndReason::Budget);
+            }
+        }
+        KlartextFlow::Next
+    }
+
+    /// Carries out the steps of a cycle.
+    fn run_steps(&mut self, steps: &[KlartextCycleStep]) {
+        let start = self.programmed();
+        let (a, b, normal) = self.tool_plane().axes();
+        let hole = [start[a], start[b]];
+        let spindle = self.kernel.state.spindle;
+        self.kernel.origin.cycle = true;
+        for step in steps {
+            let now = self.programmed();
+            let mut place = [now[0], now[1], now[2]];
+            match *step {
+                KlartextCycleStep::Rapid(level) => {
+                    place[normal] = level;
+                    self.rapid_to(place, AxisMask::LINEAR);
+                }
+                KlartextCycleStep::Feed { to, feed } => {
+                    place[normal] = to;
+                    self.cycle_move(place, feed);
+                }
+                KlartextCycleStep::Across { offset, feed } => {
+                    (place[a], place[b]) = (hole[0] + offset[0], hole[1] + offset[1]);
+                    self.cycle_move(place, feed);
+                }
+                KlartextCycleStep::Arc { center, end, sweep_rad, feed } => {
+                    (place[a], place[b]) = (hole[0] + end[0], hole[1] + end[1]);
+                    let center = [hole[0] + center[0], hole[1] + center[1]];
+                    self.cycle_arc(center, place, sweep_rad, feed);
+                }
+                KlartextCycleStep::Helix { sweep_rad, to, feed } => {
+                    self.cycle_helix(hole, sweep_rad, to, feed);
+                }
+                KlartextCycleStep::Dwell(seconds) => {
+                    self.kernel.emit(CommandKind::Dwell { seconds, label: None });
+                }
+                KlartextCycleStep::Orient => self.kernel.set_spindle(SpindleState::Oriented),
+                KlartextCycleStep::SpindleOn => self.kernel.set_spindle(spindle),
+                KlartextCycleStep::Reverse => self.kernel.set_spindle(match spindle {
+                    SpindleState::Cw => SpindleState::Ccw,
+                    SpindleState::Ccw => SpindleState::Cw,
+                    other => other,
+                }),
+            }
+        }
+        self.kernel.origin.cycle = false;
+        self.modes.contour.direction = None;
+    }
+
+    /// Makes moves at a feed of the cycle, with that of the program restored after them.
+    fn with_cycle_feed(&mut self, feed: CycleFeed, moves: impl FnOnce(&mut Self)) {
+        let kept = (self.kernel.state.feed, self.kernel.state.feed_mode);
+        if let CycleFeed::Speed(speed) = feed {
+            self.kernel.state.feed = Some(speed);
+            self.kernel.state.feed_mode = FeedMode::PerTime;
+        }
+        moves(self);
+        (self.kernel.state.feed, self.kernel.state.feed_mode) = kept;
+    }
+
+    fn cycle_move(&mut self, place: [f64; 3], feed: CycleFeed) {
+        if feed == CycleFeed::Rapid {
+            return self.rapid_to(place, AxisMask::LINEAR);
+        }
+        self.with_cycle_feed(feed, |own| own.feed_to(place, AxisMask::LINEAR));
+    }
+
+    /// An arc in the plane.
+    fn cycle_arc(&mut self, center: [f64; 2], place: [f64; 3], sweep_rad: f64, feed: CycleFeed) {
+        let plane = self.tool_plane();
+        let mut end = self.programmed();
+        end[..3].copy_from_slice(&place);
+        let element = ContourElement::Arc { plane, center, sweep_rad, end: place };
+        self.with_cycle_feed(feed, |own| {
+            own.move_along(None, &element, end, AxisMask::LINEAR, false);
+        });
+    }
+
+    /// A helix about a hole, counter-clockwise.
+    fn cycle_helix(&mut self, hole: [f64; 2], sweep_rad: f64, to: f64, feed: CycleFeed) {
+        let plane = self.tool_plane();
+        let (a, b, normal) = plane.axes();
+        let mut end = self.programmed();
+        let sweep_rad = TurnDirection::Ccw.sign() * sweep_rad;
+        let turned = crate::geometry::turned_about([end[a], end[b]], hole, sweep_rad);
+        let is_whole = (sweep_rad / std::f64::consts::TAU).fract().abs() < 1e-9;
+        if !is_whole {
+            (end[a], end[b]) = (turned[0], turned[1]);
+        }
+        end[normal] = to;
+        let element =
+            ContourElement::Arc { plane, center: hole, sweep_rad, end: [end[0], end[1], end[2]] };
+        self.with_cycle_feed(feed, |own| {
+            own.move_along(None, &element, end, AxisMask::LINEAR, false);
+        });
+    }
+}

@@ -1,0 +1,197 @@
+//! Carries out the statement of a block.
+
+use chordal_command::CommandKind;
+use chordal_diagnostics::{Code, Diagnostic, Severity};
+use chordal_kernel::EndReason;
+
+use super::interpreter::KlartextInterpreter;
+use super::run_state::KlartextFlow;
+use crate::syntax::{
+    CycleCallForm, KlartextBlock, KlartextStatement, MachineFunction, PathWords, UnfollowedFunction,
+};
+
+impl KlartextInterpreter<'_> {
+    /// Carries out a statement.
+    pub(super) fn statement(&mut self, block: &KlartextBlock) -> KlartextFlow {
+        match &block.statement {
+            KlartextStatement::Nothing
+            | KlartextStatement::Unknown
+            | KlartextStatement::Begin { .. } => KlartextFlow::Next,
+            KlartextStatement::End { .. } => self.program_ends(),
+            KlartextStatement::Blank { corner, words } => {
+                self.blank(*corner, words);
+                KlartextFlow::Next
+            }
+            KlartextStatement::Path(function, words) => self.path_block(*function, words),
+            KlartextStatement::Center(words) => {
+                self.set_center(words);
+                self.functions_alone(words)
+            }
+            KlartextStatement::Rounding(words) => {
+                self.check_corner_block("RND", words.radius);
+                KlartextFlow::Next
+            }
+            KlartextStatement::Chamfer(size, _) => {
+                self.check_corner_block("CHF", *size);
+                KlartextFlow::Next
+            }
+            KlartextStatement::Approach(form, words) => self.approach(*form, words),
+            KlartextStatement::Departure(form, words) => self.departure(*form, words),
+            KlartextStatement::Functions(words) => self.functions_alone(words),
+            KlartextStatement::Stop(words) => {
+                let flow = self.functions_alone(words);
+                self.kernel.emit(CommandKind::Stop { optional: false });
+                flow
+            }
+            KlartextStatement::ToolCall(words) => {
+                self.tool_call(words);
+                let words =
+                    PathWords { functions: words.functions.clone(), ..PathWords::default() };
+                self.functions_alone(&words)
+            }
+            KlartextStatement::ToolDefinition { number, length, radius } => {
+                self.define_tool(*number, *length, *radius);
+                KlartextFlow::Next
+            }
+            KlartextStatement::Label(name) => self.label(name),
+            KlartextStatement::CallLabel { label, repeats } => self.call_label(label, *repeats),
+            KlartextStatement::CallProgram(name) => self.call_program(*name),
+            KlartextStatement::Jump { condition, label } => self.jump(condition, label),
+            KlartextStatement::Assign { target, formula } => {
+                self.assign(*target, formula);
+                KlartextFlow::Next
+            }
+            KlartextStatement::AssignText { target, parts } => {
+                self.assign_text(*target, parts.as_ref());
+                KlartextFlow::Next
+            }
+            KlartextStatement::RaiseError(number) => self.raise_error(*number),
+            KlartextStatement::SystemRead { target, numbers } => {
+                self.system_read(*target, *numbers);
+                KlartextFlow::Next
+            }
+            KlartextStatement::OtherFunction { number, target } => {
+                self.other_function(*number, *target);
+                KlartextFlow::Next
+            }
+            KlartextStatement::CycleParameters { number, values } => {
+                self.define_cycle(*number, values)
+            }
+            KlartextStatement::CycleLine { number, line, words, rest } => {
+                self.cycle_line(*number, *line, words, *rest);
+                KlartextFlow::Next
+            }
+            KlartextStatement::CycleCall(form, words) => match form {
+                CycleCallForm::Here => self.cycle_call_block(words),
+                CycleCallForm::AtPosition => self.cycle_at_position(words),
+                CycleCallForm::AtPattern => self.cycle_at_pattern(words),
+            },
+            KlartextStatement::Pattern(groups) => {
+                self.modes.pattern.clone_from(groups);
+                KlartextFlow::Next
+            }
+            KlartextStatement::DatumShift(words) => {
+                self.datum_shift(words);
+                KlartextFlow::Next
+            }
+            KlartextStatement::DatumReset => {
+                self.reset_datum();
+                KlartextFlow::Next
+            }
+            KlartextStatement::Iso(words) => self.iso_block(words),
+            KlartextStatement::NotFollowed(what) => {
+                self.unfollowed(*what);
+                KlartextFlow::Next
+            }
+        }
+    }
+
+    /// Functions of the language that are read and not carried out.
+    fn unfollowed(&mut self, what: UnfollowedFunction) {
+        let range = self.here;
+        let (subject, message) = match what {
+            UnfollowedFunction::Plane => ("PLANE", "the tilted plane of PLANE is not followed"),
+            UnfollowedFunction::ToolCenterPoint => {
+                ("FUNCTION", "FUNCTION is not followed: what it switches is missing here")
+            }
+            UnfollowedFunction::FreeContour => {
+                ("FK", "free contour programming (FK) is not followed: its moves are missing here")
+            }
+            UnfollowedFunction::Probe => {
+                ("TCH PROBE", "probing cycles are not followed: what they measure is not known")
+            }
+            UnfollowedFunction::VectorLine => {
+                ("LN", "LN is not followed: its moves are missing here")
+            }
+            UnfollowedFunction::Selection => ("SEL", "tables are not followed here"),
+        };
+        self.not_followed_once(subject, range, message);
+        if what == UnfollowedFunction::Probe {
+            // What is measured is not known; the run is not verified from here on.
+            (115..=119).chain(150..=160).for_each(|number| self.parameters.set_shared(number, 0.0));
+        }
+        if matches!(what, UnfollowedFunction::FreeContour | UnfollowedFunction::VectorLine) {
+            self.kernel.go_astray(chordal_command::AxisMask::XY);
+            self.modes.contour.direction = None;
+        }
+    }
+
+    /// A block that has M functions and does not move.
+    pub(super) fn functions_alone(&mut self, words: &PathWords) -> KlartextFlow {
+        self.functions_at_start(words);
+        self.apply_feed(words.feed);
+        self.functions_at_end(&words.functions)
+    }
+
+    /// BLK FORM 0.1 and 0.2: the corners of the blank, which is checked and not cut.
+    pub(super) fn blank(&mut self, corner: Option<u8>, words: &PathWords) {
+        let range = self.here;
+        let Some(corner) = corner else { return };
+        let Some(values) = self.values(words) else { return };
+        let point = [0, 1, 2].map(|axis| values.axes[axis]);
+        if corner == 1 {
+            self.modes.blank = Some(point.map(|value| value.map(|value| value.value)));
+            return;
+        }
+        let Some(least) = self.modes.blank else {
+            let message = "the blank has a largest point and no smallest: BLK FORM 0.1 is missing";
+            return self.problem(Code::MissingWord, range, message);
+        };
+        for (axis, letter) in ["X", "Y", "Z"].iter().enumerate() {
+            let (Some(least), Some(largest)) = (least[axis], point[axis]) else { continue };
+            let largest = largest.from(least);
+            if largest <= least {
+                let [one, other] = [least, largest].map(|mm| self.kernel.length_text(mm));
+                let message = format!(
+                    "the largest point of the blank is not above the smallest: {letter} goes from {one} to {other}"
+                );
+                let diagnostic = Diagnostic::new(Code::BadWordValue, self.span(range), message);
+                let help = "BLK FORM 0.1 has the smallest coordinates, 0.2 the largest";
+                self.kernel.report(diagnostic.severity(Severity::Error).help(help));
+            }
+        }
+    }
+
+    /// The M functions that act at the end of a block, and a cycle that M99 calls.
+    pub(super) fn functions_at_end(&mut self, functions: &[MachineFunction]) -> KlartextFlow {
+        let mut calls = false;
+        let mut flow = KlartextFlow::Next;
+        for function in functions {
+            match function.number {
+                0 | 1 => self.kernel.emit(CommandKind::Stop { optional: function.number == 1 }),
+                5 => self.kernel.set_spindle(chordal_command::SpindleState::Off),
+                9 => self.kernel.set_coolant(|coolant| *coolant = Default::default()),
+                2 | 30 => flow = KlartextFlow::End(EndReason::ProgramEnd),
+                99 => calls = true,
+                _ => {}
+            }
+        }
+        if calls {
+            let called = self.call_cycle();
+            if matches!(called, KlartextFlow::End(_)) {
+                return called;
+            }
+        }
+        flow
+    }
+}

@@ -1,0 +1,31 @@
+//! Runs programs.
+//!
+//! `interpreter` reads blocks in their order and `dispatch` carries them out; `flow` follows labels, calls and jumps;
+//! `assignments` and `block_values` give words their values; `contours` turns path functions into lines and arcs, which
+//! `motion` moves along; `corners` and `compensation` look ahead for what changes them; `functions` and `tools` set what the
+//! following blocks use; `iso` is for the blocks of
+//! DIN/ISO programs, `frames` and `transformations` are the coordinates, `cycles` the cycles.
+
+mod assignments;
+mod block_values;
+mod compensation;
+mod contours;
+mod corners;
+mod cycles;
+mod dispatch;
+mod flow;
+mod frames;
+mod functions;
+mod interpreter;
+mod iso;
+mod iso_modes;
+mod motion;
+mod problems;
+mod program_texts;
+mod programs;
+mod run_state;
+mod tools;
+mod transformations;
+
+pub use program_texts::{called_program_names, program_head};
+pub use programs::KlartextPrograms;

@@ -1,0 +1,93 @@
+//! Problems with the text that the control shows.
+
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+
+use super::interpreter::KlartextInterpreter;
+use crate::alarms::ARITHMETICAL_ERROR;
+use crate::syntax::{ParameterBank, ParameterName};
+use crate::values::FormulaError;
+
+impl KlartextInterpreter<'_> {
+    /// Reports an error with the control's own words.
+    pub(super) fn report_alarm(&mut self, alarm: &str, mut diagnostic: Diagnostic) {
+        let title = self.kernel.alarms.title;
+        diagnostic.severity = Severity::Error;
+        diagnostic.alarm = Some(format!("{title}: {alarm}"));
+        self.kernel.report(diagnostic);
+    }
+
+    /// The same for a message without notes or a help.
+    pub(super) fn alarm(
+        &mut self,
+        alarm: &str,
+        code: Code,
+        range: TextRange,
+        message: impl Into<String>,
+    ) {
+        let diagnostic = Diagnostic::new(code, self.span(range), message.into());
+        self.report_alarm(alarm, diagnostic);
+    }
+
+    /// Reports a problem without words of the control.
+    pub(super) fn problem(&mut self, code: Code, range: TextRange, message: impl Into<String>) {
+        let diagnostic = Diagnostic::new(code, self.span(range), message.into());
+        self.kernel.report(diagnostic);
+    }
+
+    /// Reports something that is read and not carried out: what follows from it is not verified.
+    pub(super) fn not_followed(&mut self, range: TextRange, what: impl Into<String>) {
+        self.problem(Code::NotFollowed, range, what);
+    }
+
+    /// The same once for each subject.
+    pub(super) fn not_followed_once(&mut self, subject: &str, range: TextRange, what: &str) {
+        if self.is_first_report(subject) {
+            self.not_followed(range, what);
+        }
+    }
+
+    /// Reports that a value or a path is assumed: what follows from it is not verified.
+    pub(super) fn assumed_once(&mut self, subject: &str, range: TextRange, what: &str) {
+        if self.is_first_report(subject) {
+            self.problem(Code::UnknownPath, range, what);
+        }
+    }
+
+    /// Reports a formula that has no value.
+    pub(super) fn report_formula(&mut self, error: FormulaError) {
+        match error {
+            FormulaError::DivisionByZero(range) => {
+                let message = "this divides by zero";
+                self.alarm(ARITHMETICAL_ERROR, Code::DivisionByZero, range, message);
+            }
+            FormulaError::OutsideDomain(range, what) => {
+                self.alarm(ARITHMETICAL_ERROR, Code::OutsideDomain, range, what);
+            }
+            FormulaError::Overflow(range) => {
+                let message = "the result is too large";
+                self.alarm(ARITHMETICAL_ERROR, Code::NumberOverflow, range, message);
+            }
+            FormulaError::Unset(range, name) => self.report_unset(range, name),
+        }
+    }
+
+    /// Reports a parameter that is read and was never set.
+    pub(super) fn report_unset(&mut self, range: TextRange, name: ParameterName) {
+        let name = shown_parameter(name);
+        let message = format!("{name} is read, and nothing has set it");
+        let diagnostic = Diagnostic::new(Code::BadVariable, self.span(range), message)
+            .help("set it before; the control may keep a value of another program, which is not known here");
+        self.kernel.report(diagnostic);
+    }
+}
+
+/// A parameter as it is written.
+pub fn shown_parameter(name: ParameterName) -> String {
+    let bank = match name.bank {
+        ParameterBank::Shared => "Q",
+        ParameterBank::Local => "QL",
+        ParameterBank::Retained => "QR",
+        ParameterBank::Text => "QS",
+    };
+    format!("{bank}{}", name.number)
+}

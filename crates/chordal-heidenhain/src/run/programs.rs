@@ -1,0 +1,151 @@
+//! The programs of some texts, and what an editor asks about them.
+
+use chordal_diagnostics::{FileId, SourceMap, TextRange};
+use chordal_kernel::{
+    Checkpoint, CompletedRun, ConfiguredControl, ProgramName, ProgramPlace, ProgramSet, RunOptions,
+    RunSink, TextSymbol, Token, TokenClass, WordCompletion,
+};
+use chordal_machine::Machine;
+
+use super::interpreter::KlartextInterpreter;
+use super::program_texts::KlartextTexts;
+use crate::settings::HeidenhainSettings;
+use crate::syntax::{
+    KlartextLabel, KlartextReader, KlartextStatement, KlartextToken, KlartextTokenKind, LineReader,
+    scan_tokens,
+};
+use crate::vocabulary::{VOCABULARY, meaning_of};
+
+/// The programs of some texts with the machine and its control.
+pub struct KlartextPrograms<'a> {
+    texts: KlartextTexts<'a>,
+    places: Vec<ProgramPlace>,
+}
+
+impl<'a> KlartextPrograms<'a> {
+    /// Finds the programs of the texts.
+    pub fn new(
+        control: &'a dyn ConfiguredControl,
+        settings: HeidenhainSettings,
+        sources: &'a SourceMap<'a>,
+        machine: &'a Machine,
+        options: &'a RunOptions,
+    ) -> KlartextPrograms<'a> {
+        let texts = KlartextTexts::new(control, settings, sources, machine, options);
+        let places = texts.texts.iter().map(|text| ProgramPlace {
+            file: text.file,
+            name: Some(ProgramName::from(
+                text.head.as_ref().map_or(text.stem.clone(), |head| head.name.clone()),
+            )),
+            head: text.head.as_ref().map_or(TextRange::default(), |head| head.range),
+            range: TextRange::new(0, texts.text(text.file).len() as u32),
+            line: 1,
+            is_main: text.file == FileId(0),
+        });
+        let places = places.collect();
+        KlartextPrograms { texts, places }
+    }
+}
+
+/// The class of a token, for colours.
+fn class_of(token: &KlartextToken) -> TokenClass {
+    let KlartextTokenKind::Word(word) = &token.kind else {
+        return match token.kind {
+            KlartextTokenKind::Text(_) => TokenClass::Text,
+            _ => TokenClass::Number,
+        };
+    };
+    let bare = word.strip_prefix('I').filter(|bare| !bare.is_empty()).unwrap_or(word);
+    match bare {
+        "X" | "Y" | "Z" | "A" | "B" | "C" | "U" | "V" | "W" | "PR" | "PA" => TokenClass::Axis,
+        "F" | "FMAX" | "FAUTO" | "FU" | "FZ" | "S" => TokenClass::Speed,
+        "TOOL" => TokenClass::Tool,
+        "LBL" => TokenClass::Label,
+        "BEGIN" | "END" | "PGM" => TokenClass::Program,
+        "M" => TokenClass::MCode,
+        "Q" | "QL" | "QR" | "QS" => TokenClass::Variable,
+        _ => TokenClass::Keyword,
+    }
+}
+
+impl ProgramSet for KlartextPrograms<'_> {
+    fn programs(&self) -> &[ProgramPlace] {
+        &self.places
+    }
+
+    fn run(
+        &self,
+        program: usize,
+        _: Option<&Checkpoint>,
+        sink: &mut dyn RunSink,
+    ) -> Option<CompletedRun> {
+        // No checkpoints are given, so that every run begins at the start.
+        (program < self.texts.texts.len())
+            .then(|| KlartextInterpreter::new(&self.texts, program, sink).run())
+    }
+
+    fn tokens(&self, part: TextRange) -> Vec<Token> {
+        let text = self.texts.text(FileId(0));
+        let mut found = Vec::new();
+        for block in LineReader::new(text) {
+            if block.range.start >= part.end {
+                break;
+            }
+            if block.range.end < part.start {
+                continue;
+            }
+            let mut tokens = Vec::new();
+            block.parts.iter().for_each(|part| scan_tokens(text, *part, &mut tokens));
+            found.extend(
+                tokens.iter().map(|token| Token { range: token.range, class: class_of(token) }),
+            );
+            let comment = |range: &TextRange| Token { range: *range, class: TokenClass::Comment };
+            found.extend(block.comments.iter().map(comment));
+        }
+        found.sort_by_key(|token| token.range.start);
+        found.retain(|token| token.range.start >= part.start && token.range.start < part.end);
+        found
+    }
+
+    fn meaning(&self, at: u32) -> Option<(TextRange, String)> {
+        let text = self.texts.text(FileId(0));
+        let source = self.texts.sources.get(FileId(0))?;
+        let line = source.line_start(source.line_of(at));
+        let token = self
+            .tokens(TextRange::new(line, at + 1))
+            .into_iter()
+            .find(|token| token.range.start <= at && at < token.range.end)?;
+        let word = String::from_utf8_lossy(token.range.slice(text)).to_ascii_uppercase();
+        Some((token.range, meaning_of(&word)?.to_string()))
+    }
+
+    fn symbols(&self) -> Vec<TextSymbol> {
+        let text = self.texts.text(FileId(0));
+        let symbol = |block: crate::syntax::KlartextBlock| {
+            let name = match block.statement {
+                KlartextStatement::Label(KlartextLabel::Number(0)) => return None,
+                KlartextStatement::Label(KlartextLabel::Number(number)) => format!("LBL {number}"),
+                KlartextStatement::Label(KlartextLabel::Text(name)) => format!("LBL \"{name}\""),
+                KlartextStatement::ToolCall(words) if words.tool.is_some() => {
+                    String::from_utf8_lossy(block.range.slice(text)).into_owned()
+                }
+                _ => return None,
+            };
+            Some(TextSymbol { name, range: block.range })
+        };
+        KlartextReader::new(text).filter_map(symbol).collect()
+    }
+
+    fn completions(&self, _: u32) -> Vec<WordCompletion> {
+        let completion = |(word, meaning): &(&str, &str)| WordCompletion {
+            word: word.to_string(),
+            meaning: meaning.to_string(),
+        };
+        VOCABULARY.iter().map(completion).collect()
+    }
+
+    fn formatted(&self) -> Option<String> {
+        // The control writes programs in its own form; nothing is changed.
+        String::from_utf8(self.texts.text(FileId(0)).to_vec()).ok()
+    }
+}

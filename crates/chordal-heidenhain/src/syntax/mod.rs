@@ -1,0 +1,22 @@
+//! Reads programs into blocks. Reading never fails: what is not understood stays as text, with a fault.
+//!
+//! `reader` divides the text into blocks, `tokens` a block into words, numbers and signs; `statements` decides what a
+//! block is (`iso` of DIN/ISO programs), and `words`, `formulas`, `functions` and `cycles` read its parts.
+
+mod ast;
+mod cursor;
+mod cycles;
+mod formulas;
+mod functions;
+mod iso;
+mod labels;
+mod parser;
+mod reader;
+mod statements;
+mod tokens;
+mod words;
+
+pub use ast::*;
+pub use parser::{KlartextReader, block_of_lines};
+pub use reader::{KlartextLines, LineReader};
+pub use tokens::{KlartextToken, KlartextTokenKind, scan_tokens};

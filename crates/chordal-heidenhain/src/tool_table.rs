@@ -1,0 +1,149 @@
+//! Tool tables of the control (`TOOL.T`): a line with the names of the columns at fixed places, and a line for each tool.
+
+use chordal_machine::{Machine, Tool};
+
+/// Whether a text is a tool table.
+pub fn is_tool_table(text: &[u8]) -> bool {
+    let first = text.trim_ascii_start();
+    first.get(..10).is_some_and(|start| start.eq_ignore_ascii_case(b"BEGIN TOOL"))
+}
+
+/// A column: its name and the bytes of a line that belong to it.
+struct TableColumn<'t> {
+    name: &'t str,
+    start: usize,
+    end: usize,
+}
+
+/// The columns of a header line: each reaches to the start of the next.
+fn columns(header: &str) -> Vec<TableColumn<'_>> {
+    let mut found: Vec<TableColumn<'_>> = Vec::new();
+    let mut at = 0;
+    for name in header.split(' ') {
+        if !name.is_empty() {
+            if let Some(last) = found.last_mut() {
+                last.end = at;
+            }
+            found.push(TableColumn { name, start: at, end: usize::MAX });
+        }
+        at += name.len() + 1;
+    }
+    found
+}
+
+/// Takes the tools of a table over into a machine: what the control holds wins, what it does not say stays.
+pub fn take_tool_table(text: &[u8], machine: &mut Machine) {
+    // Names may have letters of any code page; columns are counted in characters.
+    let text: String = text.iter().map(|byte| char::from(*byte)).collect();
+    let mut lines = text.lines().map(|line| line.trim_end_matches('\r'));
+    let Some(first) = lines.find(|line| !line.trim().is_empty()) else { return };
+    let is_inch = first.to_ascii_uppercase().contains(" INCH");
+    let unit = if is_inch { 25.4 } else { 1.0 };
+    let Some(header) = lines.find(|line| !line.trim().is_empty()) else { return };
+    let columns = columns(header);
+    for line in lines.take_while(|line| !line.trim_start().starts_with('[')) {
+        let letters: Vec<char> = line.chars().collect();
+        let cell = |column: &TableColumn<'_>| -> String {
+            let end = column.end.min(letters.len());
+            let letters = letters.get(column.start.min(end)..end).unwrap_or_default();
+            letters.iter().collect::<String>().trim().to_string()
+        };
+        let find = |name: &str| {
+            let column = columns.iter().find(|column| column.name.eq_ignore_ascii_case(name));
+            column.map(cell).filter(|text| !text.is_empty())
+        };
+        let number = |name: &str| {
+            let value: f64 = find(name)?.replace(',', ".").parse().ok()?;
+            value.is_finite().then_some(value)
+        };
+        // A tool with an index (5.1) is another edge of the same tool.
+        let Some(tool) = find("T").and_then(|text| text.parse::<u32>().ok()) else { continue };
+        let is_empty = ["NAME", "L", "R"]
+            .iter()
+            .all(|name| find(name).is_none_or(|text| text.parse::<f64>() == Ok(0.0)));
+        if tool == 0 || is_empty {
+            continue;
+        }
+        let entry = machine.tools.entry(tool).or_default();
+        take_row(entry, find("NAME"), &|name| number(name).map(|value| value * unit), &number);
+    }
+}
+
+/// Takes a row over; `length` gives lengths in mm, `number` numbers as written.
+fn take_row(
+    tool: &mut Tool,
+    name: Option<String>,
+    length: &dyn Fn(&str) -> Option<f64>,
+    number: &dyn Fn(&str) -> Option<f64>,
+) {
+    tool.description = name.or(tool.description.take());
+    if let Some(mm) = length("L") {
+        tool.offset[2] = Some(mm);
+    }
+    // A radius of 0 is that of a tool nobody has measured.
+    if let Some(mm) = length("R").filter(|mm| *mm > 0.0) {
+        tool.diameter_mm = Some(2.0 * mm);
+    }
+    if let Some(mm) = length("R2").filter(|mm| *mm > 0.0) {
+        tool.corner_radius_mm = Some(mm);
+    }
+    if let Some(mm) = length("DL").filter(|mm| *mm != 0.0) {
+        tool.offset_wear[2] = Some(mm);
+    }
+    if let Some(mm) = length("DR").filter(|mm| *mm != 0.0) {
+        tool.diameter_wear_mm = Some(2.0 * mm);
+    }
+    if let Some(mm) = length("LCUTS").filter(|mm| *mm > 0.0) {
+        tool.flute_length_mm = Some(mm);
+    }
+    if let Some(mm) = length("PITCH").filter(|mm| *mm > 0.0) {
+        tool.pitch_mm = Some(mm);
+    }
+    if let Some(degrees) = number("T-ANGLE").filter(|degrees| (1.0..180.0).contains(degrees)) {
+        tool.point_angle_rad = Some(degrees.to_radians());
+    }
+    let teeth = number("CUT").or(number("CUT."));
+    if let Some(count) = teeth.filter(|count| (1.0..=100.0).contains(count)) {
+        tool.teeth = Some(count as u32);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TABLE: &str = "BEGIN TOOL.T MM Version:1.0\r\n\
+        T    NAME             L        R        R2       DL      DR      CUT. T-ANGLE\r\n\
+        0                     +0       +0       +0       +0      +0      0    +0\r\n\
+        5    END MILL 10      +100.5   +5       +0       +0.1    -0.05   4    +0\r\n\
+        5.1  END MILL 10 UP   +90      +5\r\n\
+        7    DRILL 8,5        +120     +4.25    +0       +0      +0      2    +118\r\n\
+        [END]\r\n\
+        9    NOT A TOOL       +1       +1\r\n";
+
+    #[test]
+    fn columns_are_those_of_the_header() {
+        assert!(is_tool_table(TABLE.as_bytes()));
+        let mut machine = Machine::from_builtin("heidenhain-mill").expect("a machine");
+        take_tool_table(TABLE.as_bytes(), &mut machine);
+        assert_eq!(machine.tools.keys().copied().collect::<Vec<u32>>(), [5, 7]);
+        let mill = &machine.tools[&5];
+        assert_eq!(mill.description.as_deref(), Some("END MILL 10"));
+        assert_eq!((mill.offset[2], mill.diameter_mm), (Some(100.5), Some(10.0)));
+        assert_eq!((mill.offset_wear[2], mill.diameter_wear_mm), (Some(0.1), Some(-0.1)));
+        assert_eq!(mill.teeth, Some(4));
+        let drill = &machine.tools[&7];
+        assert_eq!(drill.point_angle_rad, Some(118_f64.to_radians()));
+        assert_eq!(drill.radius_mm(), Some(4.25));
+    }
+
+    #[test]
+    fn any_text_is_taken_without_a_failure() {
+        let mut machine = Machine::from_builtin("heidenhain-mill").expect("a machine");
+        for text in ["", "BEGIN TOOL.T", "BEGIN TOOL.T MM\n\n\nT", "BEGIN TOOL.T\n T L\n\u{fc}\n5"]
+        {
+            take_tool_table(text.as_bytes(), &mut machine);
+        }
+        assert!(machine.tools.is_empty());
+    }
+}
