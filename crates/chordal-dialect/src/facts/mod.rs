@@ -246,6 +246,7 @@ fn length(code: LengthCode) -> CodeFacts {
                 Code::OffsetNotSet,
                 Code::LengthOffsetOfOtherTool,
                 Code::KinematicsNotKnown,
+                Code::TipFeedTooFast,
             ])
             .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
             .rows(&[("H", "number of the length offset")])
@@ -258,14 +259,15 @@ fn length(code: LengthCode) -> CodeFacts {
                 Code::LengthAlongTool,
             ])
             .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
-            .rows(&[("H", "number of the length offset")])
-            .example("{} H1 X0. Y0. Z30. A0. B0."),
+            .rows(&[("H", "number of the length offset")]),
         LengthCode::ToolCenterByVector => PLAIN
             .problems(&[
                 Code::OffsetNotSet,
                 Code::LengthOffsetOfOtherTool,
                 Code::KinematicsNotKnown,
                 Code::ToolVector,
+                Code::SwingingTool,
+                Code::TipFeedTooFast,
             ])
             .settings(&[SettingField::LENGTH_MUST_MATCH_TOOL])
             .rows(&[
