@@ -4,7 +4,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use chordal_command::{AxisMask, RapidPath, Units, WorkNaming};
-use chordal_diagnostics::SourceMap;
+use chordal_diagnostics::{SourceMap, TextRange};
 use chordal_kernel::rules::{
     ArcCenter, ArcRules, CompensationEntry, CompensationRules, CornerAngles, CornerMoves,
     OutsideCorner, RoundingRules, Rules, SideChange,
@@ -13,9 +13,10 @@ use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
     ProgrammingLanguage, RunOptions, SettingError,
 };
-use chordal_machine::{AXES, ControlName, Machine, RapidShape};
+use chordal_machine::{AXES, Body, ControlName, Machine, RapidShape};
 
 use crate::alarms::TEXTS_OF_CODES;
+use crate::blank_form::blank_form;
 use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
@@ -117,6 +118,10 @@ impl ConfiguredControl for HeidenhainControl {
 
     fn take_table(&self, text: &[u8], machine: &mut Machine) {
         take_tool_table(text, machine);
+    }
+
+    fn defined_stock(&self, text: &[u8]) -> Option<(Body, TextRange)> {
+        blank_form(text)
     }
 
     fn as_any(&self) -> &dyn Any {

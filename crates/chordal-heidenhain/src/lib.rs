@@ -7,6 +7,7 @@
 #![forbid(unsafe_code)]
 
 mod alarms;
+mod blank_form;
 mod control;
 pub mod cycles;
 pub mod geometry;

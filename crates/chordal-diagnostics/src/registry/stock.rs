@@ -119,14 +119,14 @@ nose radius than the machine file. The value of the machine file counts; where a
 its nose radius is taken. Correct the one that is wrong."#;
 
     StockFromComment = 672, "stock-from-comment", Note;
-    "the stock was taken from a comment of the program";
-    r#"No setup or machine file gives `[stock]`, and a comment of the program says the size of the stock and where its zero is.
-The answers about the stock hold for that stock and for no other: a comment may be older than the program. Give `[stock]`
-in a setup file to use another one."#;
+    "the stock was taken from the program";
+    r#"No setup or machine file gives `[stock]`, and the program defines its stock (BLK FORM), or a comment of it says the size of the
+stock and where its zero is. The answers about the stock hold for that stock and for no other: a comment may be older than
+the program. Give `[stock]` in a setup file to use another one."#;
 
     StockCommentDoubted = 673, "stock-comment-doubted", Warning;
-    "no cut meets the stock of a comment";
-    r#"The stock was taken from a comment of the program, and the program removes nothing of it. Programs are edited and keep
+    "no cut meets the stock that the program gives";
+    r#"The stock was taken from the program, and the program removes nothing of it. Programs are edited and keep
 the head of an older one: the stock, or its zero, is probably another. Nothing is proved about it. Give `[stock]` in a
 setup file."#;
 

@@ -4,8 +4,8 @@ use std::any::Any;
 use std::fmt;
 
 use chordal_command::{AxisMask, WorkName, WorkNaming};
-use chordal_diagnostics::{Code, SourceMap};
-use chordal_machine::{Machine, PerAxis};
+use chordal_diagnostics::{Code, SourceMap, TextRange};
+use chordal_machine::{Body, Machine, PerAxis};
 
 use super::program_set::ProgramSet;
 use super::program_writer::ProgramWriter;
@@ -108,6 +108,12 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
 
     /// Takes tools and work offsets of such a text over into a machine.
     fn take_table(&self, _text: &[u8], _machine: &mut Machine) {}
+
+    /// The stock that a text defines in blocks of its own (BLK FORM), in program coordinates, and these blocks; `None`
+    /// without one.
+    fn defined_stock(&self, _text: &[u8]) -> Option<(Body, TextRange)> {
+        None
+    }
 
     /// Writes programs for this control from what they do; `None` where programs of other languages are not converted
     /// to it.

@@ -1,8 +1,8 @@
-//! The stock of a run: that of the setup, or else the one that a comment of the program describes.
+//! The stock of a run: that of the setup, or else the one that the program defines or a comment of it describes.
 
 use std::borrow::Cow;
 
-use chordal_diagnostics::{Code, Diagnostic, Span};
+use chordal_diagnostics::{Code, Diagnostic, FileId, Span};
 use chordal_machine::{Axis, Body, BodyShape};
 
 use super::run::StockRunError;
@@ -12,42 +12,60 @@ use crate::tool_comments::{StockPlace, commented_stock};
 /// The stock of a run, and where it was taken from.
 pub(super) struct StockPremise<'a> {
     pub body: Cow<'a, Body>,
-    /// The comment that describes it; `None` where a setup or machine file does.
-    pub comment: Option<Span>,
+    /// The words of the program that say so; `None` where a setup or machine file does.
+    pub source: Option<StockSource>,
+}
+
+/// The words of a program from which its stock was taken.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct StockSource {
+    /// Where they stand.
+    span: Span,
+    /// What they are, for messages.
+    name: &'static str,
 }
 
 impl StockPremise<'_> {
-    /// The note that the stock is that of a comment; `None` where it is not.
+    /// The note that the stock is that of the program; `None` where it is not.
     pub fn note(&self) -> Option<Diagnostic> {
-        let message = format!("the stock is taken from this comment: {}", sides(&self.body));
+        let source = self.source?;
+        let message =
+            format!("the stock is taken from this {}: {}", source.name, sides(&self.body));
         let help = "give `[stock]` in a setup file, named with --setup, to use another one";
-        Some(Diagnostic::new(Code::StockFromComment, self.comment?, message).help(help))
+        Some(Diagnostic::new(Code::StockFromComment, source.span, message).help(help))
     }
 
-    /// The warning that a comment's stock is not the one that the program cuts, since no cut removes any of it;
+    /// The warning that a program's own stock is not the one that the program cuts, since no cut removes any of it;
     /// `None` otherwise.
     pub fn doubt(&self, removed_mm3: f64, cuts: bool) -> Option<Diagnostic> {
-        let comment = self.comment.filter(|_| cuts && removed_mm3 <= 0.0)?;
-        let message = "no cut meets the stock of this comment".to_string();
-        let help = "the comment may be of another program: give `[stock]` in a setup file";
-        Some(Diagnostic::new(Code::StockCommentDoubted, comment, message).help(help))
+        let source = self.source.filter(|_| cuts && removed_mm3 <= 0.0)?;
+        let message = format!("no cut meets the stock of this {}", source.name);
+        let help = "it may be of another program: give `[stock]` in a setup file";
+        Some(Diagnostic::new(Code::StockCommentDoubted, source.span, message).help(help))
     }
 }
 
 impl Job<'_> {
-    /// Whether there is a stock: of the setup, or of a comment.
+    /// Whether there is a stock: of the setup, or of the program.
     pub fn has_stock(&self) -> bool {
         self.stock_premise().is_ok()
     }
 
     pub(super) fn stock_premise(&self) -> Result<StockPremise<'_>, StockRunError> {
         if let Some(body) = &self.machine().setup.stock {
-            return Ok(StockPremise { body: Cow::Borrowed(body), comment: None });
+            return Ok(StockPremise { body: Cow::Borrowed(body), source: None });
+        }
+        let text = self.sources().get(FileId(0)).map(|source| source.text());
+        let defined = text.and_then(|text| self.configured_control().defined_stock(text));
+        if let Some((body, range)) = defined {
+            let source = StockSource { span: range.in_file(FileId(0)), name: "block" };
+            return Ok(StockPremise { body: Cow::Owned(body), source: Some(source) });
         }
         let commented = commented_stock(self).ok_or(StockRunError::NoStock)?;
         match commented.place {
             StockPlace::Body(body) => {
-                Ok(StockPremise { body: Cow::Owned(*body), comment: Some(commented.comment) })
+                let source = StockSource { span: commented.comment, name: "comment" };
+                Ok(StockPremise { body: Cow::Owned(*body), source: Some(source) })
             }
             StockPlace::Size(size) => Err(StockRunError::StockNotPlaced(size)),
         }
