@@ -21,4 +21,5 @@ if TYPE_CHECKING:
         "marlin",
         "sinumerik",
         "sinumerik-lathe",
+        "heidenhain",
     ]

@@ -95,8 +95,8 @@ number is wrong. If the subprogram moves on to the next position on purpose, not
 
     NotRead = 215, "language-not-read", Error;
     "the program is in a language that Chordal does not follow";
-    r#"The text shows signs of a language that Chordal recognizes and does not follow: a lathe program, Heidenhain
-conversational, Sinumerik, Okuma OSP, or the code of a 3D printer. Read as something else it would give hundreds of
+    r#"The text shows signs of a language that Chordal recognizes and does not follow: a program for an Okuma OSP,
+a Fagor or a plotter, or the code of a 3D printer. Read as something else it would give hundreds of
 messages that mean nothing, or a wrong path without one. Nothing is run, and the program is not verified.
 
 If the text is a mill program for one of the controls that Chordal has, name the machine: `--machine haas-vf2`. Then it

@@ -98,6 +98,14 @@ impl KlartextInterpreter<'_> {
                 self.reset_datum();
                 KlartextFlow::Next
             }
+            KlartextStatement::Plane(words) => {
+                self.plane(words);
+                KlartextFlow::Next
+            }
+            KlartextStatement::ToolCenterPoint(is_on) => {
+                self.tool_center_point(*is_on, self.here, "FUNCTION TCPM");
+                KlartextFlow::Next
+            }
             KlartextStatement::Iso(words) => self.iso_block(words),
             KlartextStatement::NotFollowed(what) => {
                 self.unfollowed(*what);
@@ -110,18 +118,14 @@ impl KlartextInterpreter<'_> {
     fn unfollowed(&mut self, what: UnfollowedFunction) {
         let range = self.here;
         let (subject, message) = match what {
-            UnfollowedFunction::Plane => ("PLANE", "the tilted plane of PLANE is not followed"),
-            UnfollowedFunction::ToolCenterPoint => {
-                ("FUNCTION", "FUNCTION is not followed: what it switches is missing here")
+            UnfollowedFunction::Function => {
+                ("FUNCTION", "this FUNCTION is not followed: what it switches is missing here")
             }
             UnfollowedFunction::FreeContour => {
                 ("FK", "free contour programming (FK) is not followed: its moves are missing here")
             }
             UnfollowedFunction::Probe => {
                 ("TCH PROBE", "probing cycles are not followed: what they measure is not known")
-            }
-            UnfollowedFunction::VectorLine => {
-                ("LN", "LN is not followed: its moves are missing here")
             }
             UnfollowedFunction::Selection => ("SEL", "tables are not followed here"),
         };
@@ -130,7 +134,7 @@ impl KlartextInterpreter<'_> {
             // What is measured is not known; the run is not verified from here on.
             (115..=119).chain(150..=160).for_each(|number| self.parameters.set_shared(number, 0.0));
         }
-        if matches!(what, UnfollowedFunction::FreeContour | UnfollowedFunction::VectorLine) {
+        if what == UnfollowedFunction::FreeContour {
             self.kernel.go_astray(chordal_command::AxisMask::XY);
             self.modes.contour.direction = None;
         }
@@ -183,6 +187,7 @@ impl KlartextInterpreter<'_> {
                 9 => self.kernel.set_coolant(|coolant| *coolant = Default::default()),
                 2 | 30 => flow = KlartextFlow::End(EndReason::ProgramEnd),
                 99 => calls = true,
+                129 => self.tool_center_point(false, function.range, "M129"),
                 _ => {}
             }
         }

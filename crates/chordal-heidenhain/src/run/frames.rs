@@ -18,7 +18,7 @@ impl KlartextInterpreter<'_> {
         self.update_frame();
     }
 
-    fn update_frame(&mut self) {
+    pub(super) fn update_frame(&mut self) {
         self.modes.frame = ProgrammedFrame::new(self.modes.chain.map());
         self.modes.contour.direction = None;
     }
@@ -123,16 +123,16 @@ impl KlartextInterpreter<'_> {
         self.transform(Transformation::AxisScale(factors, center));
     }
 
-    /// Cycle 19: angles of zero, or none, leave the plane as it is.
+    /// Cycle 19: spatial angles; without any the plane is level again.
     fn cycle_working_plane(&mut self, words: &[CycleWord]) {
-        let mut is_tilted = false;
-        for word in words.iter().filter(|word| ["A", "B", "C"].contains(&word.label.as_str())) {
-            is_tilted |= self.word_value(word).is_some_and(|angle| angle != 0.0);
+        let mut angles = [None; 3];
+        for word in words {
+            let axis = ["A", "B", "C"].iter().position(|axis| *axis == word.label);
+            if let Some(axis) = axis {
+                angles[axis] = self.word_value(word);
+            }
         }
-        if is_tilted {
-            let what = "the tilted working plane of cycle 19 is not followed";
-            self.not_followed_once("cycle 19", self.here, what);
-        }
+        self.working_plane(angles);
     }
 
     /// Cycle 32: the path may be left by a tolerance.

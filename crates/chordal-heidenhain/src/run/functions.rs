@@ -51,11 +51,11 @@ impl KlartextInterpreter<'_> {
         let number = function.number;
         match number {
             98 => {}
-            118 | 128 | 129 | 144 | 145 | 114 | 115 => {
+            128 => self.tool_center_point(true, function.range, "M128"),
+            129 | 115 | 145 => {}
+            114 | 118 | 144 => {
                 let what = format!("M{number} is not followed here");
-                if number != 129 && number != 145 && number != 115 {
-                    self.not_followed_once(&format!("M{number}"), function.range, &what);
-                }
+                self.not_followed_once(&format!("M{number}"), function.range, &what);
             }
             _ => {
                 if self.is_first_report(&format!("M{number}")) {

@@ -4,7 +4,7 @@
 //! `assignments` and `block_values` give words their values; `contours` turns path functions into lines and arcs, which
 //! `motion` moves along; `corners` and `compensation` look ahead for what changes them; `functions` and `tools` set what the
 //! following blocks use; `iso` is for the blocks of
-//! DIN/ISO programs, `frames` and `transformations` are the coordinates, `cycles` the cycles.
+//! DIN/ISO programs, `frames`, `transformations` and `tilting` are the coordinates, `cycles` the cycles.
 
 mod assignments;
 mod block_values;
@@ -24,6 +24,7 @@ mod problems;
 mod program_texts;
 mod programs;
 mod run_state;
+mod tilting;
 mod tools;
 mod transformations;
 

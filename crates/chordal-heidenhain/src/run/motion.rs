@@ -179,7 +179,25 @@ impl KlartextInterpreter<'_> {
                 end[axis] = coordinate.from(start[axis].to_degrees()).to_radians();
             }
         }
-        let named = self.named(words, element);
+        let mut named = self.named(words, element);
+        if let Some(angles) = self.rotary_of_vector(words.tool_vector) {
+            end[3..].copy_from_slice(&angles);
+            named = named.or(AxisMask::ROTARY.and(self.programs.control.axes()));
+        }
+        let turns_alone = named.and(AxisMask::LINEAR) == AxisMask::NONE && !self.follows_tip();
+        if turns_alone && self.modes.outside_plane.is_some() {
+            // The rotary axes turn to the plane, and the others stand.
+            self.by_rotary_axes(|own| {
+                let mut target = own.kernel.state.position;
+                target[3..].copy_from_slice(&end[3..]);
+                let view = KlartextView { span: own.span(own.here), words: Some(words) };
+                own.kernel.state.motion =
+                    if is_rapid { ModalMotion::Rapid } else { ModalMotion::Linear };
+                own.kernel.state.place(named);
+                own.kernel.straight(&view, target, named);
+            });
+            return;
+        }
         let linear = [start[0], start[1], start[2]];
         let plane = self.tool_plane();
         let direction = element.end_direction(linear, plane);

@@ -194,6 +194,8 @@ pub struct KlartextModes {
     pub chain: CoordinateChain,
     /// What they do together.
     pub frame: ProgrammedFrame,
+    /// The transformations outside of a tilted plane, which are in force again when it ends; `None` without a plane.
+    pub outside_plane: Option<CoordinateChain>,
     /// What the path functions remember.
     pub contour: ContourMemory,
     /// F of TOOL CALL, as programmed; `None` without one.
@@ -231,6 +233,7 @@ impl Default for KlartextModes {
         KlartextModes {
             chain: CoordinateChain::default(),
             frame: ProgrammedFrame::IDENTITY,
+            outside_plane: None,
             contour: ContourMemory::default(),
             tool_feed: None,
             per_revolution: false,

@@ -71,6 +71,10 @@ impl KlartextInterpreter<'_> {
             let message = "the first TOOL CALL has no tool axis: Z is assumed";
             self.problem(Code::MissingWord, range, message);
         }
+        if self.follows_tip() {
+            let message = "a tool is called while M128 is active, whose tip the control holds";
+            self.problem(Code::TiltedPlane, range, message);
+        }
         self.modes.has_tool = true;
         let Some(number) = self.tool_number(name, range) else {
             self.kernel.select_unknown_tool();

@@ -1,7 +1,7 @@
 //! Datum shift, mirror image, rotation and scaling, in the order in which they were programmed.
 
 use chordal_command::Position;
-use chordal_geometry::Plane;
+use chordal_geometry::{Plane, Transform, Vec3};
 use chordal_kernel::frames::FrameMap;
 
 /// A transformation.
@@ -104,6 +104,23 @@ impl CoordinateChain {
             Some(own) => *own = new,
             None => self.0.push(new),
         }
+    }
+
+    /// What they do together as a motion of the part; `None` where it is mirrored or scaled.
+    pub fn rigid_map(&self) -> Option<Transform> {
+        let mut map = Transform::identity();
+        for next in self.0.iter().rev() {
+            map = map.then(&match next {
+                Transformation::Shift([x, y, z]) => Transform::translation(Vec3::new(*x, *y, *z)),
+                Transformation::Rotation(plane, degrees) => {
+                    Transform::rotation_about(Vec3::ZERO, plane.normal(), degrees.to_radians())
+                }
+                Transformation::Mirror(_)
+                | Transformation::Scale(_)
+                | Transformation::AxisScale(..) => return None,
+            });
+        }
+        Some(map)
     }
 
     /// Takes the datum shift out.

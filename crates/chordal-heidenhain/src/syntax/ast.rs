@@ -147,6 +147,8 @@ pub struct PathWords {
     pub polar_radius: Option<OperandWord>,
     /// PA: the polar angle, degrees.
     pub polar_angle: Option<OperandWord>,
+    /// TX TY TZ of LN: the direction of the tool.
+    pub tool_vector: [Option<OperandWord>; 3],
     /// R of CR, RND and of the arcs of APPR and DEP.
     pub radius: Option<OperandWord>,
     /// LEN of APPR and DEP.
@@ -399,19 +401,54 @@ pub struct PatternGroup {
     pub range: TextRange,
 }
 
+/// How PLANE gives the tilted plane.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PlaneForm {
+    /// SPATIAL: three angles.
+    Spatial,
+    /// VECTOR: the new X axis and the new Z axis.
+    Vector,
+    /// RESET.
+    Reset,
+    /// Another one, which is not carried out.
+    Other,
+}
+
+/// What the rotary axes do after PLANE.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub enum PlanePositioning {
+    /// MOVE: they turn, and the tip follows.
+    Move,
+    /// TURN: they turn.
+    Turn,
+    /// STAY: they stay; their angles are given in Q120 to Q122.
+    Stay,
+}
+
+/// The words of PLANE.
+#[derive(Clone, PartialEq, Debug)]
+pub struct PlaneWords {
+    /// Its form.
+    pub form: PlaneForm,
+    /// SPA, SPB and SPC, degrees.
+    pub angles: [Option<OperandWord>; 3],
+    /// BX, BY and BZ.
+    pub base: [Option<OperandWord>; 3],
+    /// NX, NY and NZ.
+    pub normal: [Option<OperandWord>; 3],
+    /// What the rotary axes do.
+    pub positioning: Option<PlanePositioning>,
+}
+
 /// Functions of the language that are read and not carried out.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UnfollowedFunction {
-    /// PLANE.
-    Plane,
-    /// FUNCTION TCPM and others of FUNCTION.
-    ToolCenterPoint,
+    /// FUNCTION, but for TCPM.
+    Function,
     /// FK: FL, FC and their like.
     FreeContour,
     /// TCH PROBE.
     Probe,
-    /// LN.
-    VectorLine,
     /// SEL TABLE, SEL PATTERN and their like.
     Selection,
 }
@@ -543,6 +580,10 @@ pub enum KlartextStatement {
     DatumShift(Box<PathWords>),
     /// TRANS DATUM RESET.
     DatumReset,
+    /// PLANE.
+    Plane(Box<PlaneWords>),
+    /// FUNCTION TCPM, or with false FUNCTION RESET TCPM.
+    ToolCenterPoint(bool),
     /// A block of a DIN/ISO program that has no other form.
     Iso(Box<IsoWords>),
     /// What is read and not carried out.

@@ -4,8 +4,8 @@ use chordal_diagnostics::TextRange;
 
 use super::ast::{
     CycleCallForm, KlartextApproachForm, KlartextFaultKind, KlartextStatement, OperandWord,
-    ParameterBank, PathFunction, PatternGroup, ToolCallWords, ToolName, UnfollowedFunction,
-    WordOperand,
+    ParameterBank, PathFunction, PatternGroup, PlaneForm, PlanePositioning, PlaneWords,
+    ToolCallWords, ToolName, UnfollowedFunction, WordOperand,
 };
 use super::cursor::TokenCursor;
 use super::cycles::cycle_definition;
@@ -61,18 +61,15 @@ pub fn statement(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
             label_name(cursor).map_or_else(|| unknown(cursor), KlartextStatement::Label)
         }
         "M" => KlartextStatement::Functions(Box::new(path_words(cursor))),
-        "LN" => not_followed(cursor, UnfollowedFunction::VectorLine),
-        "PLANE" if is_level_plane(cursor) => {
-            cursor.take_rest();
-            KlartextStatement::Nothing
+        "LN" => {
+            cursor.take();
+            KlartextStatement::Path(PathFunction::Line, Box::new(path_words(cursor)))
         }
-        "PLANE" => not_followed(cursor, UnfollowedFunction::Plane),
-        // What ends here never began, and milling is the mode of a mill.
-        "FUNCTION" if matches!(cursor.word_after(1), Some("RESET" | "MODE")) => {
-            cursor.take_rest();
-            KlartextStatement::Nothing
+        "PLANE" => {
+            cursor.take();
+            KlartextStatement::Plane(Box::new(plane_words(cursor)))
         }
-        "FUNCTION" => not_followed(cursor, UnfollowedFunction::ToolCenterPoint),
+        "FUNCTION" => function(cursor),
         "SEL" => not_followed(cursor, UnfollowedFunction::Selection),
         "FL" | "FLT" | "FC" | "FCT" | "FPOL" | "FSELECT" => {
             not_followed(cursor, UnfollowedFunction::FreeContour)
@@ -192,19 +189,56 @@ fn approach_form(word: &str) -> Option<KlartextApproachForm> {
     })
 }
 
-/// Whether PLANE leaves the plane as it is: PLANE RESET, or three angles of zero.
-fn is_level_plane(cursor: &TokenCursor<'_>) -> bool {
-    if cursor.word_after(1) == Some("RESET") {
-        return true;
+/// FUNCTION: TCPM is carried out; milling is the mode of a mill, and other functions that end here never began.
+fn function(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
+    let words = (cursor.word_after(1), cursor.word_after(2));
+    cursor.take_rest();
+    match words {
+        (Some("TCPM"), _) => KlartextStatement::ToolCenterPoint(true),
+        (Some("RESET"), Some("TCPM")) => KlartextStatement::ToolCenterPoint(false),
+        (Some("RESET" | "MODE"), _) => KlartextStatement::Nothing,
+        _ => KlartextStatement::NotFollowed(UnfollowedFunction::Function),
     }
-    let rest = cursor.shown(cursor.rest()).to_ascii_uppercase();
-    let is_zero = |name: &str| {
-        rest.split_once(name).is_some_and(|(_, after)| {
-            let value = after.split_whitespace().next().unwrap_or("").replace(',', ".");
-            value.parse::<f64>() == Ok(0.0)
-        })
+}
+
+/// What stands after PLANE.
+fn plane_words(cursor: &mut TokenCursor<'_>) -> PlaneWords {
+    let form = match cursor.peek_word() {
+        Some("SPATIAL") => PlaneForm::Spatial,
+        Some("VECTOR") => PlaneForm::Vector,
+        Some("RESET") => PlaneForm::Reset,
+        _ => PlaneForm::Other,
     };
-    cursor.word_after(1) == Some("SPATIAL") && ["SPA", "SPB", "SPC"].into_iter().all(is_zero)
+    let mut words = PlaneWords {
+        form,
+        angles: [None; 3],
+        base: [None; 3],
+        normal: [None; 3],
+        positioning: None,
+    };
+    cursor.take();
+    while let Some(token) = cursor.take() {
+        let KlartextTokenKind::Word(word) = &token.kind else { continue };
+        let index = |names: [&str; 3]| names.iter().position(|name| name == word);
+        let place = if let Some(index) = index(["SPA", "SPB", "SPC"]) {
+            &mut words.angles[index]
+        } else if let Some(index) = index(["BX", "BY", "BZ"]) {
+            &mut words.base[index]
+        } else if let Some(index) = index(["NX", "NY", "NZ"]) {
+            &mut words.normal[index]
+        } else {
+            // The feed, the distance of the turning point and the choice of the solution move nothing of the plane.
+            match word.as_str() {
+                "MOVE" => words.positioning = Some(PlanePositioning::Move),
+                "TURN" => words.positioning = Some(PlanePositioning::Turn),
+                "STAY" => words.positioning = Some(PlanePositioning::Stay),
+                _ => {}
+            }
+            continue;
+        };
+        *place = cursor.operand_of(token.range, false);
+    }
+    words
 }
 
 fn unknown(cursor: &mut TokenCursor<'_>) -> KlartextStatement {

@@ -81,8 +81,18 @@ fn path_word(cursor: &mut TokenCursor<'_>, words: &mut PathWords) -> bool {
         "R" if !is_incremental => Some(|words| &mut words.radius),
         "LEN" if !is_incremental => Some(|words| &mut words.length),
         "CCA" if !is_incremental => Some(|words| &mut words.center_angle),
+        "TX" => Some(|words| &mut words.tool_vector[0]),
+        "TY" => Some(|words| &mut words.tool_vector[1]),
+        "TZ" => Some(|words| &mut words.tool_vector[2]),
         _ => None,
     };
+    // The normal of the surface corrects the path of tools that differ from those of the CAM system (DR, DR2), and
+    // nothing else.
+    if matches!(name, "NX" | "NY" | "NZ") {
+        cursor.take();
+        cursor.operand_of(range, false);
+        return true;
+    }
     let axis = AXIS_WORDS.iter().position(|axis| *axis == name);
     if place.is_none() && axis.is_none() {
         return false;

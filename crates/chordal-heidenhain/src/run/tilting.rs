@@ -1,0 +1,290 @@
+//! Tilted planes (PLANE, cycle 19) and the control of the tip (M128, FUNCTION TCPM).
+
+use chordal_command::AxisMask;
+use chordal_diagnostics::{Code, TextRange};
+use chordal_geometry::{Transform, Vec3};
+use chordal_kernel::TurnError;
+
+use super::interpreter::KlartextInterpreter;
+use super::transformations::CoordinateChain;
+use crate::syntax::{OperandWord, PlaneForm, PlanePositioning, PlaneWords};
+
+/// The rotation of three spatial angles, degrees: about X first, then Y, then Z, each about the axes before the rotation
+/// (R = Rz·Ry·Rx).
+pub fn spatial_rotation(degrees: [f64; 3]) -> Transform {
+    let turn = |axis: Vec3, degrees: f64| {
+        Transform::rotation_about(Vec3::ZERO, axis, degrees.to_radians())
+    };
+    let [a, b, c] = degrees;
+    turn(Vec3::X, a).then(&turn(Vec3::Y, b)).then(&turn(Vec3::Z, c))
+}
+
+/// The rotation whose new Z is along a normal and whose new X is a base vector made perpendicular to it; `None` if they
+/// are parallel or zero.
+pub fn vector_rotation(base: [f64; 3], normal: [f64; 3]) -> Option<Transform> {
+    let [base, normal] = [base, normal].map(Vec3::from_array);
+    let length = normal.length();
+    if length < 1e-9 {
+        return None;
+    }
+    let z = normal * (1.0 / length);
+    let across = base - z * base.dot(z);
+    if across.length() < 1e-9 {
+        return None;
+    }
+    let x = across * (1.0 / across.length());
+    // First Z goes to the new Z by the spherical angles, then X about it to the new X.
+    let tilt = libm::atan2(libm::hypot(z.x, z.y), z.z);
+    let turn = libm::atan2(z.y, z.x);
+    let to_normal = Transform::rotation_about(Vec3::ZERO, Vec3::Y, tilt)
+        .then(&Transform::rotation_about(Vec3::ZERO, Vec3::Z, turn));
+    let from = to_normal.apply_vector(Vec3::X);
+    let angle = libm::atan2(z.dot(from.cross(x)), from.dot(x));
+    Some(to_normal.then(&Transform::rotation_about(Vec3::ZERO, z, angle)))
+}
+
+impl KlartextInterpreter<'_> {
+    /// PLANE.
+    pub(super) fn plane(&mut self, words: &PlaneWords) {
+        let range = self.here;
+        if words.positioning.is_none() {
+            let message = "PLANE has none of MOVE, TURN and STAY";
+            return self.problem(Code::MissingWord, range, message);
+        }
+        let rotation = match words.form {
+            PlaneForm::Reset => None,
+            PlaneForm::Spatial => {
+                let angles = words.angles.map(|word| self.plane_value(word));
+                let [Some(a), Some(b), Some(c)] = angles else {
+                    let message = "PLANE SPATIAL lacks one of SPA, SPB and SPC";
+                    return self.problem(Code::MissingWord, range, message);
+                };
+                Some(spatial_rotation([a, b, c]))
+            }
+            PlaneForm::Vector => {
+                let [base, normal] = [words.base, words.normal]
+                    .map(|vector| vector.map(|word| self.plane_value(word).unwrap_or(0.0)));
+                let Some(rotation) = vector_rotation(base, normal) else {
+                    let message = "the vectors of PLANE are parallel, or one of them is zero";
+                    return self.problem(Code::TiltedPlane, range, message);
+                };
+                Some(rotation)
+            }
+            PlaneForm::Other => {
+                let what = "this form of PLANE is not followed";
+                return self.not_followed_once("PLANE", range, what);
+            }
+        };
+        if !self.has_rotary_axes(rotation.as_ref(), "PLANE") {
+            return;
+        }
+        match rotation {
+            Some(rotation) => self.tilt(&rotation, words.positioning),
+            None => self.level(words.positioning),
+        }
+    }
+
+    fn plane_value(&mut self, word: Option<OperandWord>) -> Option<f64> {
+        let word = word?;
+        self.operand(word.value, word.range)
+    }
+
+    /// Cycle 19: spatial angles, degrees; without any the plane is level again. The rotary axes stay.
+    pub(super) fn working_plane(&mut self, angles: [Option<f64>; 3]) {
+        let is_off = angles.iter().all(Option::is_none);
+        let rotation = spatial_rotation(angles.map(|angle| angle.unwrap_or(0.0)));
+        if !self.has_rotary_axes(Some(&rotation).filter(|_| !is_off), "cycle 19") {
+            return;
+        }
+        match is_off {
+            true => self.level(Some(PlanePositioning::Stay)),
+            false => self.tilt(&rotation, Some(PlanePositioning::Stay)),
+        }
+    }
+
+    /// Whether the machine can have the plane; a level one needs no rotary axis.
+    fn has_rotary_axes(&mut self, rotation: Option<&Transform>, name: &str) -> bool {
+        if self.programs.control.axes().and(AxisMask::ROTARY) != AxisMask::NONE {
+            return true;
+        }
+        let is_tilted = rotation.is_some_and(|rotation| {
+            let z = rotation.apply_vector(Vec3::Z);
+            let x = rotation.apply_vector(Vec3::X);
+            (z - Vec3::Z).length() > 1e-9 || (x - Vec3::X).length() > 1e-9
+        });
+        if is_tilted {
+            let what = format!(
+                "the tilted plane of {name} is not followed: the machine has no rotary axis"
+            );
+            self.not_followed_once(name, self.here, &what);
+        }
+        false
+    }
+
+    /// From here on coordinates are those of a plane, which is rotated about the active datum.
+    fn tilt(&mut self, rotation: &Transform, positioning: Option<PlanePositioning>) {
+        let range = self.here;
+        let outside = match self.modes.outside_plane.take() {
+            Some(outside) => outside,
+            None => std::mem::take(&mut self.modes.chain),
+        };
+        let Some(map) = outside.rigid_map() else {
+            let what = "a tilted plane in mirrored or scaled coordinates is not followed";
+            self.modes.chain = outside;
+            return self.not_followed(range, what);
+        };
+        self.modes.outside_plane = Some(outside);
+        self.modes.chain = CoordinateChain::default();
+        self.update_frame();
+        self.kernel.set_tilted_plane(Some(rotation.then(&map)));
+        let turned = match positioning {
+            Some(PlanePositioning::Stay) | None => self.set_plane_parameters(),
+            Some(PlanePositioning::Turn) => self.kernel.turn_to_plane(false, None),
+            Some(PlanePositioning::Move) => self.kernel.turn_to_plane(true, None),
+        };
+        if let Err(error) = turned {
+            self.report_turn(error);
+        }
+    }
+
+    /// Q120 to Q122: the positions of A, B and C that the plane needs, degrees.
+    fn set_plane_parameters(&mut self) -> Result<(), TurnError> {
+        let angles = self.kernel.rotary_of_direction(Vec3::Z)?;
+        for (number, angle) in (120..=122).zip(angles) {
+            self.parameters.set_shared(number, angle.to_degrees());
+        }
+        Ok(())
+    }
+
+    fn report_turn(&mut self, error: TurnError) {
+        let range = self.here;
+        match error {
+            TurnError::NoPlane => {}
+            TurnError::NoKinematics(why) => {
+                if self.is_first_report("kinematics") {
+                    let span = self.span(range);
+                    self.kernel.report_no_kinematics(span, "the tilted plane", &why);
+                }
+                (120..=122).for_each(|number| self.parameters.set_shared(number, 0.0));
+            }
+            TurnError::Unreachable(why) => {
+                let message = format!("the rotary axes do not reach this plane: {why}");
+                self.problem(Code::TiltedPlane, range, message);
+            }
+        }
+    }
+
+    /// The plane is level again; with TURN and MOVE the rotary axes turn back to zero.
+    fn level(&mut self, positioning: Option<PlanePositioning>) {
+        if let Some(outside) = self.modes.outside_plane.take() {
+            self.modes.chain = outside;
+            self.update_frame();
+            self.kernel.set_tilted_plane(None);
+        }
+        (120..=122).for_each(|number| self.parameters.set_shared(number, 0.0));
+        if matches!(positioning, Some(PlanePositioning::Turn | PlanePositioning::Move)) {
+            let axes = self.programs.control.axes().and(AxisMask::ROTARY);
+            let mut target = self.kernel.state.position;
+            axes.iter().for_each(|axis| target[axis as usize] = 0.0);
+            self.kernel.rapid_to(target, axes);
+        }
+    }
+
+    /// Makes moves of the rotary axes alone outside of a tilted plane, which stays.
+    pub(super) fn by_rotary_axes(&mut self, moves: impl FnOnce(&mut Self)) {
+        let plane = self.kernel.tilted_plane();
+        if plane.is_some() {
+            self.kernel.set_tilted_plane(None);
+        }
+        moves(self);
+        if plane.is_some() {
+            self.kernel.set_tilted_plane(plane);
+        }
+    }
+
+    /// M128 and FUNCTION TCPM: the tip goes where the program says while rotary axes turn.
+    pub(super) fn tool_center_point(&mut self, is_on: bool, range: TextRange, name: &str) {
+        if !is_on {
+            return self.kernel.end_tool_center();
+        }
+        if self.programs.control.axes().and(AxisMask::ROTARY) == AxisMask::NONE {
+            let (code, message) = match self.programs.options.assumed_machine {
+                true => (
+                    Code::NotFollowed,
+                    format!("{name} is not followed: the assumed machine has no rotary axis"),
+                ),
+                false => (Code::NoSuchAxis, format!("{name}: the machine has no rotary axis")),
+            };
+            if self.is_first_report(name) {
+                self.problem(code, range, message);
+            }
+            return;
+        }
+        self.kernel.begin_tool_center();
+        self.modes.contour.direction = None;
+        if let Err(why) = self.kernel.rotary_chain()
+            && self.is_first_report("kinematics")
+        {
+            let span = self.span(range);
+            self.kernel.report_no_kinematics(span, name, &why);
+        }
+    }
+
+    /// Whether M128 or TCPM is active.
+    pub(super) fn follows_tip(&self) -> bool {
+        self.kernel.state.part_frame.as_ref().is_some_and(|frame| frame.follows_tip)
+    }
+
+    /// The positions of the rotary axes for a direction of the tool (LN with TX, TY, TZ), rad; `None` where the direction
+    /// is not given, or does not count because the tip is not followed.
+    pub(super) fn rotary_of_vector(
+        &mut self,
+        vector: [Option<OperandWord>; 3],
+    ) -> Option<[f64; 3]> {
+        if vector.iter().all(Option::is_none) || !self.follows_tip() {
+            return None;
+        }
+        let direction = vector.map(|word| self.plane_value(word).unwrap_or(0.0));
+        match self.kernel.rotary_of_direction(Vec3::from_array(direction)) {
+            Ok(angles) => Some(angles),
+            Err(error) => {
+                self.report_turn(error);
+                self.kernel.go_astray(AxisMask::ROTARY);
+                None
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn near(found: Vec3, expected: [f64; 3]) {
+        assert!((found - Vec3::from_array(expected)).length() < 1e-4, "{found:?}");
+    }
+
+    #[test]
+    fn spatial_angles_turn_about_the_axes_before_the_rotation() {
+        let rotation = spatial_rotation([0.0, 30.0, 90.0]);
+        near(rotation.apply_point(Vec3::new(10.0, 0.0, 0.0)), [0.0, 8.6603, -5.0]);
+        near(rotation.apply_point(Vec3::new(0.0, 0.0, 10.0)), [0.0, 5.0, 8.6603]);
+        let other = spatial_rotation([30.0, 0.0, 90.0]);
+        near(other.apply_point(Vec3::new(0.0, 10.0, 0.0)), [-8.6603, 0.0, 5.0]);
+    }
+
+    #[test]
+    fn vectors_give_the_new_axes() {
+        let rotation = spatial_rotation([20.0, 30.0, 40.0]);
+        let [x, z] = [Vec3::X, Vec3::Z].map(|axis| rotation.apply_vector(axis));
+        // The base vector need not be perpendicular to the normal.
+        let base = x + z * 0.3;
+        let found = vector_rotation([base.x, base.y, base.z], [2.0 * z.x, 2.0 * z.y, 2.0 * z.z]);
+        let found = found.expect("a rotation");
+        for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+            let expected = rotation.apply_vector(axis);
+            near(found.apply_vector(axis), [expected.x, expected.y, expected.z]);
+        }
+        assert!(vector_rotation([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).is_none());
+    }
+}
