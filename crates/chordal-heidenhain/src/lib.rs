@@ -10,6 +10,7 @@ mod alarms;
 mod blank_form;
 mod control;
 pub mod cycles;
+mod editing;
 pub mod geometry;
 mod recognition;
 mod run;
@@ -17,7 +18,6 @@ mod settings;
 pub mod syntax;
 mod tool_table;
 pub mod values;
-mod vocabulary;
 
 pub use control::{HeidenhainControl, HeidenhainLanguage};
 pub use run::KlartextPrograms;

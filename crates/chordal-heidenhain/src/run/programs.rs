@@ -9,12 +9,12 @@ use chordal_machine::Machine;
 
 use super::interpreter::KlartextInterpreter;
 use super::program_texts::KlartextTexts;
+use crate::editing::{completions, meaning_at};
 use crate::settings::HeidenhainSettings;
 use crate::syntax::{
     KlartextLabel, KlartextReader, KlartextStatement, KlartextToken, KlartextTokenKind, LineReader,
     scan_tokens,
 };
-use crate::vocabulary::{VOCABULARY, meaning_of};
 
 /// The programs of some texts with the machine and its control.
 pub struct KlartextPrograms<'a> {
@@ -108,15 +108,7 @@ impl ProgramSet for KlartextPrograms<'_> {
     }
 
     fn meaning(&self, at: u32) -> Option<(TextRange, String)> {
-        let text = self.texts.text(FileId(0));
-        let source = self.texts.sources.get(FileId(0))?;
-        let line = source.line_start(source.line_of(at));
-        let token = self
-            .tokens(TextRange::new(line, at + 1))
-            .into_iter()
-            .find(|token| token.range.start <= at && at < token.range.end)?;
-        let word = String::from_utf8_lossy(token.range.slice(text)).to_ascii_uppercase();
-        Some((token.range, meaning_of(&word)?.to_string()))
+        meaning_at(self.texts.text(FileId(0)), at)
     }
 
     fn symbols(&self) -> Vec<TextSymbol> {
@@ -137,11 +129,7 @@ impl ProgramSet for KlartextPrograms<'_> {
     }
 
     fn completions(&self, _: u32) -> Vec<WordCompletion> {
-        let completion = |(word, meaning): &(&str, &str)| WordCompletion {
-            word: word.to_string(),
-            meaning: meaning.to_string(),
-        };
-        VOCABULARY.iter().map(completion).collect()
+        completions()
     }
 
     fn formatted(&self) -> Option<String> {
