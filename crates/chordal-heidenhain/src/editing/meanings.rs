@@ -77,7 +77,7 @@ mod tests {
         assert_eq!(meaning(text, "Q201").as_deref(), Some(depth));
         assert_eq!(meaning(text, "201=").as_deref(), Some(depth));
         assert_eq!(
-            told(text, "99").as_deref(),
+            meaning(text, "99").as_deref(),
             Some("M99: runs the cycle at the end of this block")
         );
         assert_eq!(meaning(text, "FMAX").as_deref(), Some("rapid, in this block"));
