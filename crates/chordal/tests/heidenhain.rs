@@ -17,13 +17,13 @@ use chordal::{Diagnostic, Job, Machine, PathSink, RunOptions, Severity, Source, 
 use chordal_heidenhain::syntax::LineReader;
 
 /// Programs without an error or a warning, of all; may only become more.
-const MIN_CLEAN: usize = 64;
+const MIN_CLEAN: usize = 65;
 
 /// Expectations that hold, of all; may only become more.
-const MIN_RIGHT: usize = 1011;
+const MIN_RIGHT: usize = 1015;
 
 /// Faults that are reported at their line, of all; may only become more.
-const MIN_FAULTS: usize = 87;
+const MIN_FAULTS: usize = 89;
 
 /// How far a coordinate may be off: the set is rounded to three decimals, mm.
 const TOLERANCE_MM: f64 = 1.1e-3;

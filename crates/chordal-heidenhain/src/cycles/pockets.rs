@@ -291,6 +291,16 @@ fn cut_pocket(
         let message = format!("an infeed of {} mm makes {count} levels", levels.infeed);
         return Err(KlartextCycleFault::BadValue(message));
     }
+    let all_rings = rings(&parts.rough, feeds.stepover)?;
+    if count * all_rings.len() as f64 > MAX_POCKET_RINGS {
+        let message = format!(
+            "an infeed of {} mm and a stepover of {} mm make {} rings",
+            levels.infeed,
+            feeds.stepover,
+            count * all_rings.len() as f64
+        );
+        return Err(KlartextCycleFault::BadValue(message));
+    }
     let start = start_point(&parts.rough, place);
     steps.push(KlartextCycleStep::Across { offset: start, feed: CycleFeed::Rapid });
     let mut cut_levels: Vec<f64> =
@@ -299,8 +309,8 @@ fn cut_pocket(
     if parts.roughs {
         for level in cut_levels {
             steps.push(KlartextCycleStep::Feed { to: level, feed: feeds.plunge });
-            for ring in rings(&parts.rough, feeds.stepover)? {
-                follow(&ring, place, feeds.mill, steps);
+            for ring in &all_rings {
+                follow(ring, place, feeds.mill, steps);
             }
             steps.push(KlartextCycleStep::Across { offset: start, feed: feeds.mill });
         }

@@ -61,10 +61,10 @@ const CYCLE_SIGNATURES: &[KlartextCycleSignature] = &[
     cycle(254, "circular slot", &[219, 375, 376, 248, 207, 201, 202, 206, 200, 203]),
     unfollowed(256, "rectangular stud"),
     unfollowed(257, "circular stud"),
-    unfollowed(262, "thread milling"),
-    unfollowed(263, "thread milling and countersinking"),
-    unfollowed(264, "thread drilling and milling"),
-    unfollowed(265, "helical thread drilling and milling"),
+    cycle(262, "thread milling", &[335, 239, 201, 200, 203, 207]),
+    cycle(263, "thread milling and countersinking", &[335, 239, 201, 356, 200, 203, 254, 207]),
+    cycle(264, "thread drilling and milling", &[335, 239, 201, 356, 202, 200, 203, 206, 207]),
+    cycle(265, "helical thread drilling and milling", &[335, 239, 201, 200, 203, 207]),
     unfollowed(267, "outside thread milling"),
 ];
 

@@ -12,8 +12,9 @@ use super::run_state::{CycleNumber, DataValue, KlartextFlow, StoredCycle};
 use crate::alarms::{CYCLE_INCOMPLETE, TOOL_TOO_LARGE};
 use crate::cycles::{
     CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleStep, OldCycle,
-    OldCycleData, cycle_signature, is_drilling_cycle, is_pocket_cycle, old_cycle_lines,
-    old_cycle_steps, old_pocket_steps, parameter_cycle_steps, pattern_points, pocket_steps,
+    OldCycleData, cycle_signature, is_drilling_cycle, is_pocket_cycle, is_thread_cycle,
+    old_cycle_lines, old_cycle_steps, old_pocket_steps, parameter_cycle_steps, pattern_points,
+    pocket_steps, thread_steps,
 };
 use crate::geometry::ContourElement;
 use crate::syntax::{CycleValue, CycleWord, KlartextStatement, PathWords};
@@ -294,17 +295,18 @@ impl KlartextInterpreter<'_> {
     }
 
     fn run_parameter_cycle(&mut self, number: u32, values: &CycleValues) {
-        let is_pocket = is_pocket_cycle(number);
-        if !is_pocket && !is_drilling_cycle(number) {
+        let (is_pocket, is_thread) = (is_pocket_cycle(number), is_thread_cycle(number));
+        if !is_pocket && !is_thread && !is_drilling_cycle(number) {
             return;
         }
-        if is_pocket || matches!(number, 204 | 208) {
+        if is_pocket || is_thread || matches!(number, 204 | 208) {
             self.report_assumed_path(number);
         }
         let context = self.cycle_context();
-        let steps = match is_pocket {
-            true => pocket_steps(number, values, &context),
-            false => parameter_cycle_steps(number, values, &context),
+        let steps = match (is_pocket, is_thread) {
+            (true, _) => pocket_steps(number, values, &context),
+            (_, true) => thread_steps(number, values, &context),
+            _ => parameter_cycle_steps(number, values, &context),
         };
         match steps {
             Ok(steps) => self.run_steps(&steps),

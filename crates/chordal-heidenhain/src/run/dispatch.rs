@@ -1,7 +1,6 @@
 //! Carries out the statement of a block.
 
 use chordal_command::CommandKind;
-use chordal_diagnostics::{Code, Diagnostic, Severity};
 use chordal_kernel::EndReason;
 
 use super::interpreter::KlartextInterpreter;
@@ -145,35 +144,6 @@ impl KlartextInterpreter<'_> {
         self.functions_at_start(words);
         self.apply_feed(words.feed);
         self.functions_at_end(&words.functions)
-    }
-
-    /// BLK FORM 0.1 and 0.2: the corners of the blank, which is checked and not cut.
-    pub(super) fn blank(&mut self, corner: Option<u8>, words: &PathWords) {
-        let range = self.here;
-        let Some(corner) = corner else { return };
-        let Some(values) = self.values(words) else { return };
-        let point = [0, 1, 2].map(|axis| values.axes[axis]);
-        if corner == 1 {
-            self.modes.blank = Some(point.map(|value| value.map(|value| value.value)));
-            return;
-        }
-        let Some(least) = self.modes.blank else {
-            let message = "the blank has a largest point and no smallest: BLK FORM 0.1 is missing";
-            return self.problem(Code::MissingWord, range, message);
-        };
-        for (axis, letter) in ["X", "Y", "Z"].iter().enumerate() {
-            let (Some(least), Some(largest)) = (least[axis], point[axis]) else { continue };
-            let largest = largest.from(least);
-            if largest <= least {
-                let [one, other] = [least, largest].map(|mm| self.kernel.length_text(mm));
-                let message = format!(
-                    "the largest point of the blank is not above the smallest: {letter} goes from {one} to {other}"
-                );
-                let diagnostic = Diagnostic::new(Code::BadWordValue, self.span(range), message);
-                let help = "BLK FORM 0.1 has the smallest coordinates, 0.2 the largest";
-                self.kernel.report(diagnostic.severity(Severity::Error).help(help));
-            }
-        }
     }
 
     /// The M functions that act at the end of a block, and a cycle that M99 calls.

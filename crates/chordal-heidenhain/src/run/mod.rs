@@ -2,11 +2,13 @@
 //!
 //! `interpreter` reads blocks in their order and `dispatch` carries them out; `flow` follows labels, calls and jumps;
 //! `assignments` and `block_values` give words their values; `contours` turns path functions into lines and arcs, which
-//! `motion` moves along; `corners` and `compensation` look ahead for what changes them; `functions` and `tools` set what the
+//! `motion` moves along; `blank` checks rapids, `corners` and `compensation` look ahead for what changes them; `functions` and `tools` set what the
 //! following blocks use; `iso` is for the blocks of
 //! DIN/ISO programs, `frames`, `transformations` and `tilting` are the coordinates, `cycles` the cycles.
 
 mod assignments;
+mod blank;
+mod blank_record;
 mod block_values;
 mod compensation;
 mod contours;

@@ -222,8 +222,22 @@ impl KlartextInterpreter<'_> {
         (end, named)
     }
 
-    /// Gives an element to the kernel.
+    /// Moves along an element.
     pub(super) fn move_along(
+        &mut self,
+        words: Option<&PathWords>,
+        element: &ContourElement,
+        end: Position,
+        named: AxisMask,
+        is_rapid: bool,
+    ) {
+        let from = self.kernel.state.position;
+        self.give_element(words, element, end, named, is_rapid);
+        self.follow_blank(&from, element);
+    }
+
+    /// Gives an element to the kernel.
+    fn give_element(
         &mut self,
         words: Option<&PathWords>,
         element: &ContourElement,

@@ -8,6 +8,7 @@ use chordal_geometry::{Plane, TurnDirection};
 use chordal_kernel::EndReason;
 use chordal_kernel::frames::{FrameMap, InPlane};
 
+use super::blank_record::BlankRecord;
 use super::iso_modes::IsoModes;
 use super::transformations::CoordinateChain;
 use crate::syntax::{
@@ -220,6 +221,8 @@ pub struct KlartextModes {
     pub has_jumped_back: bool,
     /// The first corner of BLK FORM.
     pub blank: Option<[Option<f64>; 3]>,
+    /// The blank, and what was cut of it.
+    pub blank_record: BlankRecord,
     /// A tool was called.
     pub has_tool: bool,
     /// What the G codes of a DIN/ISO program leave.
@@ -246,6 +249,7 @@ impl Default for KlartextModes {
             has_corner: false,
             has_jumped_back: false,
             blank: None,
+            blank_record: BlankRecord::default(),
             has_tool: false,
             iso: IsoModes::default(),
             preset: None,

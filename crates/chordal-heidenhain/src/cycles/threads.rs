@@ -1,0 +1,235 @@
+//! Milling of inside threads: cycles 262 to 265.
+//!
+//! Diameter, pitch, hand, depth and end are those of the control; how the tool comes to the wall and leaves it is assumed:
+//! by half circles from the centre.
+
+use std::f64::consts::{PI, TAU};
+
+use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
+use super::values::CycleValues;
+
+/// More turns than this are a mistake in the data.
+const MAX_TURNS: f64 = 10_000.0;
+
+/// Whether a cycle is one of this file.
+pub fn is_thread_cycle(number: u32) -> bool {
+    matches!(number, 262..=265)
+}
+
+/// A helix of a thread.
+#[derive(Clone, Copy, Debug)]
+struct ThreadHelix {
+    /// The radius of the path of the tool's centre, mm.
+    radius: f64,
+    /// Where it begins.
+    from: f64,
+    /// Its turns.
+    turns: f64,
+    /// The height of a turn, negative downwards, mm.
+    height: f64,
+    /// 1 counter-clockwise, -1 clockwise.
+    sign: f64,
+    feed: CycleFeed,
+}
+
+/// The steps of cycle 262, 263, 264 or 265.
+///
+/// # Errors
+/// Why it does not run.
+pub fn thread_steps(
+    number: u32,
+    values: &CycleValues,
+    context: &CycleContext,
+) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
+    let depth = values.length(201);
+    if depth == 0.0 {
+        return Ok(Vec::new());
+    }
+    if depth > 0.0 {
+        let message = format!("the depth Q201 is {depth}: it is negative downwards");
+        return Err(KlartextCycleFault::BadValue(message));
+    }
+    let Some(tool) = context.tool_radius else {
+        let message = format!("cycle {number} needs the radius of the tool, which is not given");
+        return Err(KlartextCycleFault::NotFollowed(message));
+    };
+    let (nominal, pitch) = (values.length(335) / 2.0, values.length(239));
+    let radius = nominal - tool;
+    if radius <= 0.0 {
+        let message = format!(
+            "the tool of {} mm does not fit into the thread of {} mm",
+            2.0 * tool,
+            2.0 * nominal
+        );
+        return Err(KlartextCycleFault::ToolTooLarge(message));
+    }
+    let whole_turns = (depth.abs() / pitch.abs() - 1e-9).ceil().max(1.0);
+    if pitch == 0.0 || whole_turns > MAX_TURNS {
+        let message = format!("a pitch of {pitch} mm does not make a thread of {depth} mm");
+        return Err(KlartextCycleFault::BadValue(message));
+    }
+    let front = values.length(358);
+    if front != 0.0 {
+        let message =
+            format!("countersinking at the front (Q358) of cycle {number} is not followed");
+        return Err(KlartextCycleFault::NotFollowed(message));
+    }
+    let surface = values.length(203);
+    let clearance = surface + values.length(200);
+    let bottom = surface + depth;
+    let mut steps = vec![KlartextCycleStep::Rapid(clearance)];
+    match number {
+        263 => countersink(values, surface, clearance, &mut steps),
+        264 => drill(values, surface, clearance, &mut steps)?,
+        _ => {}
+    }
+    // F counts at the edge of the tool.
+    let feed = match values.feed(207) {
+        CycleFeed::Speed(speed) => CycleFeed::Speed(speed * radius / nominal),
+        feed => feed,
+    };
+    // Climb milling goes counter-clockwise inside; a right-hand thread then goes up. Cycle 265 goes down.
+    let sign = match number {
+        265 => -pitch.signum(),
+        _ if values.number(351) < 0.0 => -1.0,
+        _ => 1.0,
+    };
+    let height = pitch * sign;
+    let per_step = if number == 262 { values.number(355).round() } else { 1.0 };
+    let helix = |turns: f64, end: f64| ThreadHelix {
+        radius,
+        from: if height > 0.0 { end } else { end - turns * height },
+        turns,
+        height,
+        sign,
+        feed,
+    };
+    let position = values.feed(253);
+    match per_step {
+        0.0 => mill(&helix(1.0, bottom), position, &mut steps),
+        1.0 => mill(&helix(whole_turns, bottom), position, &mut steps),
+        count => {
+            let reach = count.abs() * pitch.abs();
+            let parts = (depth.abs() / reach - 1e-9).ceil().max(1.0) as u32;
+            for part in 0..parts {
+                let end = bottom + f64::from(part) * reach;
+                mill(&helix(1.0, end), position, &mut steps);
+            }
+        }
+    }
+    steps.push(KlartextCycleStep::Rapid(clearance.max(surface + values.length(204))));
+    Ok(steps)
+}
+
+/// From the centre by a half circle to the wall, along the helix, and back to the centre.
+fn mill(helix: &ThreadHelix, position: CycleFeed, steps: &mut Vec<KlartextCycleStep>) {
+    let ThreadHelix { radius, from, turns, height, sign, feed } = *helix;
+    let middle = [radius / 2.0, 0.0];
+    steps.push(KlartextCycleStep::Feed { to: from, feed: position });
+    let half = |end| KlartextCycleStep::Arc { center: middle, end, sweep_rad: sign * PI, feed };
+    steps.push(half([radius, 0.0]));
+    let to = from + turns * height;
+    steps.push(KlartextCycleStep::Helix { sweep_rad: sign * turns * TAU, to, feed });
+    steps.push(half([0.0; 2]));
+}
+
+/// Cycle 263: the countersink of the tool goes to its depth.
+fn countersink(
+    values: &CycleValues,
+    surface: f64,
+    clearance: f64,
+    steps: &mut Vec<KlartextCycleStep>,
+) {
+    let depth = values.length(356);
+    if depth == 0.0 {
+        return;
+    }
+    let near = surface + depth + (clearance - surface);
+    steps.push(KlartextCycleStep::Feed { to: near.min(clearance), feed: values.feed(253) });
+    steps.push(KlartextCycleStep::Feed { to: surface + depth, feed: values.feed(254) });
+}
+
+/// Cycle 264: the hole is drilled to Q356 in strokes of Q202.
+fn drill(
+    values: &CycleValues,
+    surface: f64,
+    clearance: f64,
+    steps: &mut Vec<KlartextCycleStep>,
+) -> Result<(), KlartextCycleFault> {
+    let depth = values.length(356).abs();
+    let stroke = values.length(202).abs();
+    let count = if stroke > 0.0 { (depth / stroke - 1e-9).ceil().max(1.0) } else { 1.0 };
+    if count > MAX_TURNS {
+        let message = format!("strokes of {stroke} mm do not reach the depth of {depth} mm");
+        return Err(KlartextCycleFault::BadValue(message));
+    }
+    for index in 1..=count as u32 {
+        let reached = if f64::from(index) < count { f64::from(index) * stroke } else { depth };
+        steps.push(KlartextCycleStep::Feed { to: surface - reached, feed: values.feed(206) });
+        steps.push(KlartextCycleStep::Rapid(clearance));
+        if f64::from(index) < count {
+            let near = surface - reached + values.length(258).abs();
+            steps.push(KlartextCycleStep::Rapid(near.min(clearance)));
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+
+    const CONTEXT: CycleContext = CycleContext {
+        level: 10.0,
+        position: [0.0; 2],
+        tool_radius: Some(3.0),
+        point_angle: None,
+        rpm: 3000.0,
+        peck_stop: Some(0.2),
+        refuses_positive_depth: true,
+    };
+
+    /// The helix of a cycle: its angle, where it begins and ends, and its feed.
+    fn helix(numbers: &[(u32, f64)]) -> (f64, f64, f64, CycleFeed) {
+        let numbers: BTreeMap<u32, f64> = numbers.iter().copied().collect();
+        let values = CycleValues::new(numbers, BTreeMap::new(), 1.0, 1.0 / 60.0);
+        let steps = thread_steps(262, &values, &CONTEXT).expect("steps");
+        let mut level = 0.0;
+        for step in steps {
+            match step {
+                KlartextCycleStep::Feed { to, .. } | KlartextCycleStep::Rapid(to) => level = to,
+                KlartextCycleStep::Helix { sweep_rad, to, feed } => {
+                    return (sweep_rad / TAU, level, to, feed);
+                }
+                _ => {}
+            }
+        }
+        panic!("no helix")
+    }
+
+    #[test]
+    fn threads_have_their_hand_and_their_length() {
+        let data = |climb: f64, pitch: f64| {
+            [
+                (335, 16.0),
+                (239, pitch),
+                (201, -20.0),
+                (355, 1.0),
+                (351, climb),
+                (200, 2.0),
+                (207, 500.0),
+            ]
+        };
+        // Counter-clockwise and up, or clockwise and down: a right-hand thread; F is that of the edge.
+        let check = |found: (f64, f64, f64, CycleFeed), expected: (f64, f64, f64)| {
+            assert_eq!((found.0, found.1, found.2), expected);
+            let CycleFeed::Speed(speed) = found.3 else { panic!("a feed") };
+            assert!((speed - 312.5 / 60.0).abs() < 1e-9);
+        };
+        check(helix(&data(1.0, 1.5)), (14.0, -20.0, 1.0));
+        check(helix(&data(-1.0, 1.5)), (-14.0, 1.0, -20.0));
+        check(helix(&data(1.0, -1.5)), (14.0, 1.0, -20.0));
+    }
+}
