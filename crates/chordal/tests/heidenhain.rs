@@ -17,10 +17,10 @@ use chordal::{Diagnostic, Job, Machine, PathSink, RunOptions, Severity, Source, 
 use chordal_heidenhain::syntax::LineReader;
 
 /// Programs without an error or a warning, of all; may only become more.
-const MIN_CLEAN: usize = 65;
+const MIN_CLEAN: usize = 67;
 
 /// Expectations that hold, of all; may only become more.
-const MIN_RIGHT: usize = 1015;
+const MIN_RIGHT: usize = 1033;
 
 /// Faults that are reported at their line, of all; may only become more.
 const MIN_FAULTS: usize = 89;

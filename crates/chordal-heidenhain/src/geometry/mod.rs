@@ -2,10 +2,14 @@
 
 mod approach;
 mod element;
+mod free_contour;
 mod vectors;
 
 pub use approach::{
     ApproachArc, ApproachFault, ApproachPath, ApproachRequest, approach_path, departure_path,
 };
 pub use element::{ContourElement, arc_about, arc_by_radius, arc_fault_mm, tangent_center};
+pub use free_contour::{
+    FreeContourFault, FreeElementValues, SolvedFreeElement, solve_free_contour,
+};
 pub use vectors::{COINCIDENT_POINTS_MM, distance, left_normal, turned_about, unit_vector};

@@ -22,6 +22,11 @@ impl KlartextInterpreter<'_> {
                 KlartextFlow::Next
             }
             KlartextStatement::Path(function, words) => self.path_block(*function, words),
+            KlartextStatement::FreePole(words) => {
+                self.set_free_pole(words);
+                self.functions_alone(words)
+            }
+            KlartextStatement::FreeElement(words) => self.free_element(words),
             KlartextStatement::Center(words) => {
                 self.set_center(words);
                 self.functions_alone(words)
@@ -120,9 +125,6 @@ impl KlartextInterpreter<'_> {
             UnfollowedFunction::Function => {
                 ("FUNCTION", "this FUNCTION is not followed: what it switches is missing here")
             }
-            UnfollowedFunction::FreeContour => {
-                ("FK", "free contour programming (FK) is not followed: its moves are missing here")
-            }
             UnfollowedFunction::Probe => {
                 ("TCH PROBE", "probing cycles are not followed: what they measure is not known")
             }
@@ -132,10 +134,6 @@ impl KlartextInterpreter<'_> {
         if what == UnfollowedFunction::Probe {
             // What is measured is not known; the run is not verified from here on.
             (115..=119).chain(150..=160).for_each(|number| self.parameters.set_shared(number, 0.0));
-        }
-        if what == UnfollowedFunction::FreeContour {
-            self.kernel.go_astray(chordal_command::AxisMask::XY);
-            self.modes.contour.direction = None;
         }
     }
 

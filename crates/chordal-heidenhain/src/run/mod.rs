@@ -17,6 +17,7 @@ mod cycles;
 mod dispatch;
 mod flow;
 mod frames;
+mod free_contours;
 mod functions;
 mod interpreter;
 mod iso;

@@ -164,7 +164,7 @@ impl KlartextInterpreter<'_> {
     }
 
     /// Moves along an element; rotary axes go with it.
-    fn cut(
+    pub(super) fn cut(
         &mut self,
         words: &PathWords,
         values: &BlockValues,

@@ -1,6 +1,6 @@
 //! What a run remembers from block to block.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, VecDeque};
 
 use chordal_command::{CallPath, Position};
 use chordal_diagnostics::TextRange;
@@ -11,6 +11,7 @@ use chordal_kernel::frames::{FrameMap, InPlane};
 use super::blank_record::BlankRecord;
 use super::iso_modes::IsoModes;
 use super::transformations::CoordinateChain;
+use crate::geometry::SolvedFreeElement;
 use crate::syntax::{
     CycleValue, KlartextLabel, KlartextReader, ParameterName, PathFunction, PatternGroup,
 };
@@ -229,6 +230,11 @@ pub struct KlartextModes {
     pub iso: IsoModes,
     /// The preset of cycle 247.
     pub preset: Option<f64>,
+    /// FPOL on the axes of the plane, mm; `None` where it was not programmed.
+    pub free_pole: Option<[f64; 2]>,
+    /// The elements of a free contour that are still to be made: the first byte of the block of each, and the element;
+    /// `None` where it was not solved.
+    pub free_elements: VecDeque<(u32, Option<SolvedFreeElement>)>,
 }
 
 impl Default for KlartextModes {
@@ -253,6 +259,8 @@ impl Default for KlartextModes {
             has_tool: false,
             iso: IsoModes::default(),
             preset: None,
+            free_pole: None,
+            free_elements: VecDeque::new(),
         }
     }
 }

@@ -440,13 +440,32 @@ pub struct PlaneWords {
     pub positioning: Option<PlanePositioning>,
 }
 
+/// The words of an element of a free contour (FL, FLT, FC, FCT).
+#[derive(Clone, Default, PartialEq, Debug)]
+pub struct FreeElementWords {
+    /// It is an arc.
+    pub is_arc: bool,
+    /// It goes on in the direction of the element before.
+    pub is_tangent: bool,
+    /// AN: the angle of a line, degrees.
+    pub angle: Option<OperandWord>,
+    /// CCX, CCY and CCZ: the centre of an arc.
+    pub center: [Option<OperandWord>; 3],
+    /// CCPR and CCPA: the centre from the pole, the angle in degrees.
+    pub center_polar: [Option<OperandWord>; 2],
+    /// CLSD+ begins a closed contour (false), CLSD- closes it (true).
+    pub closing: Option<bool>,
+    /// It refers to points or other elements (P1X, PDX, RX, PAR …).
+    pub has_relation: bool,
+    /// The other words.
+    pub words: PathWords,
+}
+
 /// Functions of the language that are read and not carried out.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub enum UnfollowedFunction {
     /// FUNCTION, but for TCPM.
     Function,
-    /// FK: FL, FC and their like.
-    FreeContour,
     /// TCH PROBE.
     Probe,
     /// SEL TABLE, SEL PATTERN and their like.
@@ -481,6 +500,10 @@ pub enum KlartextStatement {
     },
     /// A path function.
     Path(PathFunction, Box<PathWords>),
+    /// FPOL: the pole of free contours.
+    FreePole(Box<PathWords>),
+    /// FL, FLT, FC, FCT.
+    FreeElement(Box<FreeElementWords>),
     /// CC.
     Center(Box<PathWords>),
     /// RND.

@@ -7,6 +7,7 @@ mod ast;
 mod cursor;
 mod cycles;
 mod formulas;
+mod free_contours;
 mod functions;
 mod iso;
 mod labels;

@@ -9,6 +9,7 @@ use super::ast::{
 };
 use super::cursor::TokenCursor;
 use super::cycles::cycle_definition;
+use super::free_contours::free_contour;
 use super::functions::{assignment, numbered_function};
 use super::labels::label_name;
 use super::tokens::{KlartextToken, KlartextTokenKind};
@@ -28,7 +29,7 @@ pub fn statement(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         cursor.take();
         return KlartextStatement::Path(function, Box::new(path_words(cursor)));
     }
-    if let Some(found) = two_words(cursor, word) {
+    if let Some(found) = free_contour(cursor).or_else(|| two_words(cursor, word)) {
         return found;
     }
     match word.as_str() {
@@ -71,8 +72,10 @@ pub fn statement(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         }
         "FUNCTION" => function(cursor),
         "SEL" => not_followed(cursor, UnfollowedFunction::Selection),
-        "FL" | "FLT" | "FC" | "FCT" | "FPOL" | "FSELECT" => {
-            not_followed(cursor, UnfollowedFunction::FreeContour)
+        // Of two solutions none is taken, so that there is nothing to select.
+        "FSELECT" => {
+            cursor.take_rest();
+            KlartextStatement::Nothing
         }
         "FN" => {
             cursor.take();

@@ -41,7 +41,7 @@ pub fn unread_token(cursor: &mut TokenCursor<'_>) {
 }
 
 /// Reads one word; false, with nothing taken, if none begins here.
-fn path_word(cursor: &mut TokenCursor<'_>, words: &mut PathWords) -> bool {
+pub fn path_word(cursor: &mut TokenCursor<'_>, words: &mut PathWords) -> bool {
     let Some(token) = cursor.peek() else { return false };
     let KlartextTokenKind::Word(word) = &token.kind else { return false };
     let range = token.range;
