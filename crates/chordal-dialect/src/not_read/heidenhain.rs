@@ -1,4 +1,4 @@
-//! Heidenhain conversational programs, which a crate of their own reads.
+//! Heidenhain programs, conversational and DIN/ISO, which a crate of their own reads.
 
 use super::NotRead;
 use crate::recognition::{RecognitionEvidence, RecognitionSign, evidence};
@@ -30,6 +30,18 @@ const SIGNS: &[RecognitionEvidence] = &[
         "L is a straight cut",
     ),
     evidence(RecognitionSign::Code(&["CC X", "CC Y", "CC IX"]), 3, "CC is a centre"),
+    evidence(
+        RecognitionSign::Code(&["M128", "FUNCTION TCPM", "PLANE SPATIAL", "PLANE VECTOR"]),
+        4,
+        "M128, TCPM or PLANE is for a machine with rotary axes",
+    )
+    .on("heidenhain-ac-trunnion"),
+    // DIN/ISO programs.
+    evidence(RecognitionSign::Block("G30 G17|G18|G19 X Y Z"), 8, "G30 with a plane is the blank"),
+    evidence(RecognitionSign::Block("G31 X Y Z !F"), 3, "G31 without F is the blank"),
+    evidence(RecognitionSign::Block("G99 T L R"), 8, "G99 gives length and radius of a tool"),
+    evidence(RecognitionSign::Block("T S G17|G18|G19"), 4, "T stands with its axis and S"),
+    evidence(RecognitionSign::Block("G98 L"), 2, "G98 L is a label"),
     evidence(
         RecognitionSign::Code(&["FN 0:", "FN0:", "FN 1:", "FN 9:", "FN 18:"]),
         6,

@@ -44,6 +44,11 @@ impl KlartextInterpreter<'_> {
             }
         }
         let Some(signature) = cycle_signature(number) else {
+            if words.is_empty() {
+                let message = format!("there is no cycle {number} without data");
+                self.problem(Code::UnknownCode, range, message);
+                return KlartextFlow::Next;
+            }
             let what = format!("cycle {number} is not known here: what it does is missing");
             self.not_followed_once(&format!("cycle {number}"), range, &what);
             if number < 400 {

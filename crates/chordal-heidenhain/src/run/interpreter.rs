@@ -235,6 +235,8 @@ impl<'a> KlartextInterpreter<'a> {
             KlartextFaultKind::UnknownFunction => (Code::UnknownCode, None),
             KlartextFaultKind::DoubleWord => (Code::RepeatedWord, Some(DOUBLE_PROGRAMMED)),
             KlartextFaultKind::MissingValue => (Code::MissingValue, None),
+            KlartextFaultKind::MissingAddress => (Code::MissingAddress, None),
+            KlartextFaultKind::LetterForDigit => (Code::LetterForDigit, None),
             KlartextFaultKind::Bracket => (Code::UnbalancedBrackets, None),
             KlartextFaultKind::Spelling => (Code::BadStatement, None),
         };

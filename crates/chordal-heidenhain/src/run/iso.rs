@@ -60,6 +60,11 @@ impl KlartextInterpreter<'_> {
 
     /// Modal codes, and those that are not known.
     fn take_iso_codes(&mut self, words: &IsoWords) {
+        let motions = words.codes.iter().filter(|(code, _)| is_motion(*code));
+        if let Some((code, range)) = motions.skip(1).last() {
+            let message = format!("G{code} is a second motion in this block");
+            self.problem(Code::SameGroup, *range, message);
+        }
         for (code, range) in &words.codes {
             match code {
                 90 => self.modes.iso.is_incremental = false,

@@ -43,6 +43,10 @@ pub enum KlartextFaultKind {
     DoubleWord,
     /// A word without its value.
     MissingValue,
+    /// A number without its word.
+    MissingAddress,
+    /// A letter that stands for a digit.
+    LetterForDigit,
     /// A bracket that is not closed or not opened.
     Bracket,
     /// An old or wrong spelling that is understood.

@@ -195,7 +195,8 @@ fn words(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         cursor.take();
         let Some(value) = cursor.take_operand() else {
             // The axes of a mirror image have no value.
-            if !AXIS_WORDS.contains(&word.as_str()) {
+            let is_mirror = words.codes.iter().any(|(code, _)| *code == 28);
+            if !(is_mirror && AXIS_WORDS.contains(&word.as_str())) {
                 let message = format!("{word} has no value");
                 cursor.fault(KlartextFaultKind::MissingValue, token.range, message);
             }

@@ -28,16 +28,20 @@ pub fn unread_token(cursor: &mut TokenCursor<'_>) {
     let byte = |at: u32| cursor.text.get(at as usize).copied().unwrap_or(b' ');
     let follows_digit = before.is_some_and(|at| byte(at).is_ascii_digit());
     let shown = cursor.shown(token.range);
-    let message = match &token.kind {
+    let (kind, message) = match &token.kind {
         KlartextTokenKind::Word(word) if follows_digit && matches!(word.as_str(), "O" | "I") => {
             let digit = if word == "O" { "0" } else { "1" };
-            format!(
+            let message = format!(
                 "the letter {word} stands in a number, where the digit {digit} was probably meant"
-            )
+            );
+            (KlartextFaultKind::LetterForDigit, message)
         }
-        _ => format!("`{shown}` is not read in this block"),
+        KlartextTokenKind::Number(_) => {
+            (KlartextFaultKind::MissingAddress, format!("the number {shown} has no word before it"))
+        }
+        _ => (KlartextFaultKind::Unreadable, format!("`{shown}` is not read in this block")),
     };
-    cursor.fault(KlartextFaultKind::Unreadable, token.range, message);
+    cursor.fault(kind, token.range, message);
 }
 
 /// Reads one word; false, with nothing taken, if none begins here.

@@ -88,6 +88,7 @@ pub const KINDS: &[Kind] = &[
         "mach3",
         "sinumerik",
         "sinumerik-lathe",
+        "heidenhain",
     ]),
     kind("G0 and G1 in one block", two_motions, &["CH302", "CH307"]),
     kind("G54 and G55 in one block", two_offsets, &["CH302"]).not_on(&["fadal"]),
