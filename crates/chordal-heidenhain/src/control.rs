@@ -10,7 +10,7 @@ use chordal_kernel::rules::{
     OutsideCorner, RoundingRules, Rules, SideChange,
 };
 use chordal_kernel::{
-    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
+    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet, ProgramWriter,
     ProgrammingLanguage, RunOptions, SettingError,
 };
 use chordal_machine::{AXES, ControlName, Machine, RapidShape};
@@ -20,6 +20,7 @@ use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
 use crate::tool_table::{is_tool_table, take_tool_table};
+use crate::writer::KlartextWriter;
 
 /// The facts of the control.
 pub const HEIDENHAIN_PROFILE: ControlProfile = ControlProfile {
@@ -117,6 +118,10 @@ impl ConfiguredControl for HeidenhainControl {
 
     fn take_table(&self, text: &[u8], machine: &mut Machine) {
         take_tool_table(text, machine);
+    }
+
+    fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {
+        Some(Box::new(KlartextWriter::new(self.settings)))
     }
 
     fn as_any(&self) -> &dyn Any {

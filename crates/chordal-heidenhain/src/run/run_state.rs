@@ -222,8 +222,6 @@ pub struct KlartextModes {
     pub has_tool: bool,
     /// What the G codes of a DIN/ISO program leave.
     pub iso: IsoModes,
-    /// The preset of cycle 247.
-    pub preset: Option<f64>,
 }
 
 impl Default for KlartextModes {
@@ -245,7 +243,6 @@ impl Default for KlartextModes {
             blank: None,
             has_tool: false,
             iso: IsoModes::default(),
-            preset: None,
         }
     }
 }
