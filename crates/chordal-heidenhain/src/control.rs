@@ -10,7 +10,7 @@ use chordal_kernel::rules::{
     OutsideCorner, RoundingRules, Rules, SideChange,
 };
 use chordal_kernel::{
-    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet,
+    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet, ProgramWriter,
     ProgrammingLanguage, RunOptions, SettingError,
 };
 use chordal_machine::{AXES, Body, ControlName, Machine, RapidShape};
@@ -21,6 +21,7 @@ use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
 use crate::tool_table::{is_tool_table, take_tool_table};
+use crate::writer::KlartextWriter;
 
 /// The facts of the control.
 pub const HEIDENHAIN_PROFILE: ControlProfile = ControlProfile {
@@ -122,6 +123,10 @@ impl ConfiguredControl for HeidenhainControl {
 
     fn defined_stock(&self, text: &[u8]) -> Option<(Body, TextRange)> {
         blank_form(text)
+    }
+
+    fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {
+        Some(Box::new(KlartextWriter::new(self.settings)))
     }
 
     fn as_any(&self) -> &dyn Any {

@@ -2,7 +2,7 @@
 //!
 //! `syntax` reads the text into blocks and never fails; `values` are those of parameters and formulas; `geometry` has
 //! tangent arcs, approaches and departures as pure functions; `cycles` says what the cycles do; `run` carries a program
-//! out.
+//! out, `writer` writes one from what a program does.
 
 #![forbid(unsafe_code)]
 
@@ -18,7 +18,9 @@ mod settings;
 pub mod syntax;
 mod tool_table;
 pub mod values;
+mod writer;
 
 pub use control::{HeidenhainControl, HeidenhainLanguage};
 pub use run::KlartextPrograms;
 pub use settings::HeidenhainSettings;
+pub use writer::KlartextWriter;

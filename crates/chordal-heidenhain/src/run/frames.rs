@@ -1,12 +1,20 @@
 //! Transformations of coordinates and other cycles that act where they are defined.
 
-use chordal_command::{CommandKind, SpindleState};
+use chordal_command::{CommandKind, SpindleState, WorkName};
 use chordal_diagnostics::{Code, TextRange};
 
 use super::interpreter::KlartextInterpreter;
 use super::run_state::ProgrammedFrame;
 use super::transformations::Transformation;
 use crate::syntax::{CycleWord, PathWords};
+
+/// The work offset of a line of the preset table: lines from 5 on have names of their own.
+fn preset_name(number: u16) -> WorkName {
+    match number {
+        0..=4 => WorkName::G(53 + number),
+        _ => WorkName::G(500u16.saturating_add(number)),
+    }
+}
 
 /// The axes of transformations.
 const LINEAR_AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -150,10 +158,15 @@ impl KlartextInterpreter<'_> {
         let range = self.here;
         self.modes.chain.clear_shift();
         self.update_frame();
-        let before = std::mem::replace(&mut self.modes.preset, number);
-        if before.is_some() && before != number {
-            let what = "cycle 247 changes to another preset, whose place is not known here: its coordinates are drawn as those of the first";
-            self.problem(Code::UnknownPath, range, what);
+        // A line of the preset table is the work offset with this number; line 0 stays what the run began with.
+        let whole = number.filter(|number| number.fract() == 0.0 && *number >= 0.0);
+        match whole.map(|number| number as u16) {
+            Some(0) if self.kernel.state.offsets.active() == preset_name(1) => {}
+            Some(number) if number > 0 => self.kernel.select_work(preset_name(number)),
+            _ => {
+                let what = "cycle 247 names a preset whose number is not known here";
+                self.problem(Code::UnknownPath, range, what);
+            }
         }
     }
 

@@ -301,19 +301,18 @@ impl KlartextInterpreter<'_> {
         Some(kept)
     }
 
-    /// A move in machine coordinates (M91, M92), in which the length of the tool does not count.
+    /// A move in machine coordinates (M91, M92), those of the axes: the length of the tool does not count.
     fn machine_move(&mut self, words: &PathWords, values: &BlockValues, is_rapid: bool) {
-        let lengths = self.kernel.state.offsets.tool_in_force();
         let mut place = [0.0; 6];
         let mut named = AxisMask::NONE;
         for (axis, value) in place.iter_mut().enumerate() {
             let Some(coordinate) = values.axes[axis] else { continue };
-            let now = self.kernel.state.machine_position(axis) - lengths[axis];
+            let now = self.kernel.state.machine_position(axis);
             let unit = if axis < 3 { 1.0 } else { 1_f64.to_radians() };
             *value = match coordinate.is_incremental {
                 true => now + coordinate.value * unit,
                 false => coordinate.value * unit,
-            } + lengths[axis];
+            };
             named.insert(axis);
         }
         self.kernel.state.motion = if is_rapid { ModalMotion::Rapid } else { ModalMotion::Linear };

@@ -47,6 +47,28 @@ impl<'a> KlartextPrograms<'a> {
     }
 }
 
+/// The tokens of a block: its number and its skip sign are marks where they stand in front, and a heading is a comment.
+fn block_tokens(tokens: &[KlartextToken], is_iso: bool) -> Vec<Token> {
+    let is_sign = |token: &KlartextToken, sign| token.kind == KlartextTokenKind::Sign(sign);
+    let front = tokens
+        .iter()
+        .position(|token| {
+            !(is_sign(token, b'/') || !is_iso && matches!(token.kind, KlartextTokenKind::Number(_)))
+        })
+        .unwrap_or(tokens.len());
+    let (front, words) = tokens.split_at(front);
+    let token = |range, class| Token { range, class };
+    let mut found: Vec<Token> =
+        front.iter().map(|own| token(own.range, TokenClass::Mark)).collect();
+    match words {
+        [first, .., last] if !is_iso && is_sign(first, b'*') => {
+            found.push(token(first.range.cover(last.range), TokenClass::Comment));
+        }
+        words => found.extend(words.iter().map(|own| token(own.range, class_of(own)))),
+    }
+    found
+}
+
 /// The class of a token, for colours.
 fn class_of(token: &KlartextToken) -> TokenClass {
     let KlartextTokenKind::Word(word) = &token.kind else {
@@ -96,9 +118,7 @@ impl ProgramSet for KlartextPrograms<'_> {
             }
             let mut tokens = Vec::new();
             block.parts.iter().for_each(|part| scan_tokens(text, *part, &mut tokens));
-            found.extend(
-                tokens.iter().map(|token| Token { range: token.range, class: class_of(token) }),
-            );
+            found.extend(block_tokens(&tokens, block.is_iso));
             let comment = |range: &TextRange| Token { range: *range, class: TokenClass::Comment };
             found.extend(block.comments.iter().map(comment));
         }

@@ -228,8 +228,6 @@ pub struct KlartextModes {
     pub has_tool: bool,
     /// What the G codes of a DIN/ISO program leave.
     pub iso: IsoModes,
-    /// The preset of cycle 247.
-    pub preset: Option<f64>,
     /// FPOL on the axes of the plane, mm; `None` where it was not programmed.
     pub free_pole: Option<[f64; 2]>,
     /// The elements of a free contour that are still to be made: the first byte of the block of each, and the element;
@@ -258,7 +256,6 @@ impl Default for KlartextModes {
             blank_record: BlankRecord::default(),
             has_tool: false,
             iso: IsoModes::default(),
-            preset: None,
             free_pole: None,
             free_elements: VecDeque::new(),
         }

@@ -18,7 +18,7 @@ pub struct WriterOptions {
 /// A line of a written program.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct WrittenLine {
-    /// Its text, without a block number.
+    /// Its text, without a block number; several lines where the language has blocks of several lines.
     pub text: String,
     /// The step that it carries out; `None` for the frame of the program.
     pub step: Option<usize>,
@@ -53,4 +53,11 @@ pub trait ProgramWriter {
 
     /// A comment of the language.
     fn comment(&self, text: &str) -> String;
+
+    /// What stands before a block: the number of the block in the old text, or one of the language's own. `block` counts the
+    /// blocks of the new text from 0.
+    fn block_start(&self, old: Option<u32>, block: usize) -> String {
+        let _ = block;
+        old.map_or_else(String::new, |number| format!("N{number} "))
+    }
 }

@@ -4,6 +4,7 @@ mod cycles;
 mod documents;
 mod five_axes;
 mod forms;
+mod heidenhain;
 mod kept;
 mod lathes;
 mod posted;

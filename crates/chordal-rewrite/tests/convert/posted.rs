@@ -10,25 +10,30 @@ use super::random::{RandomBlock, piece, program};
 use super::{VerdictTable, converted, job, job_of, machine, suite_programs, text_of, verdict};
 
 /// What a program came to on the way there and back again.
-struct RoundTrip {
-    there: Conversion,
-    back: Option<Conversion>,
+pub(super) struct RoundTrip {
+    pub there: Conversion,
+    pub back: Option<Conversion>,
 }
 
 impl RoundTrip {
     fn of(old: &Job) -> RoundTrip {
-        let there = converted(old, "sinumerik-mill");
+        RoundTrip::through(old, &machine("sinumerik-mill"))
+    }
+
+    /// Through another machine.
+    pub fn through(old: &Job, middle: &Machine) -> RoundTrip {
+        let there = convert(old, middle, &ConversionOptions::default());
         let middle = there.holds().then(|| job(&there.text, there.machine.clone()));
         let back =
             middle.map(|middle| convert(&middle, old.machine(), &ConversionOptions::default()));
         RoundTrip { there, back }
     }
 
-    fn holds(&self) -> [bool; 2] {
+    pub fn holds(&self) -> [bool; 2] {
         [self.there.holds(), self.back.as_ref().is_some_and(Conversion::holds)]
     }
 
-    fn verdict(&self) -> String {
+    pub fn verdict(&self) -> String {
         match &self.back {
             Some(back) => format!("{}; back {}", verdict(&self.there), verdict(back)),
             None => verdict(&self.there),
@@ -36,7 +41,7 @@ impl RoundTrip {
     }
 
     /// Nothing that is not proved is left without a sentence.
-    fn is_proved_or_refused(&self) -> bool {
+    pub fn is_proved_or_refused(&self) -> bool {
         let is_answered = |found: &Conversion| found.holds() || !found.refusals.is_empty();
         is_answered(&self.there) && self.back.as_ref().is_none_or(is_answered)
     }
@@ -140,7 +145,7 @@ fn tool_names(text: &str) -> Vec<String> {
 }
 
 #[allow(clippy::disallowed_methods, reason = "tests read folders")]
-fn names_in(folder: &str) -> Vec<String> {
+pub(super) fn names_in(folder: &str) -> Vec<String> {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let entries = std::fs::read_dir(root.join(folder)).expect("a folder").flatten();
     let mut names: Vec<String> =
@@ -192,7 +197,7 @@ fn random_programs() {
 }
 
 /// The program with the length and the radius of each tool.
-fn with_lengths(text: &str) -> String {
+pub(super) fn with_lengths(text: &str) -> String {
     let mut tool = 1;
     let mut lines = Vec::new();
     for line in text.lines() {
@@ -208,7 +213,7 @@ fn with_lengths(text: &str) -> String {
 }
 
 /// A machine without limits, whose tools all have a radius.
-fn wide(control: &str) -> Machine {
+pub(super) fn wide(control: &str) -> Machine {
     let mut own = machine(control);
     own.axes.iter_mut().flatten().for_each(|axis| axis.travel = None);
     own.feed = Default::default();

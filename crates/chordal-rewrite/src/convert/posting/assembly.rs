@@ -13,13 +13,19 @@ pub(super) struct AssembledText {
     pub text: String,
     /// By line, from 0.
     pub steps: Vec<Option<usize>>,
+    /// How many blocks it has; comments on lines of their own count.
+    blocks: usize,
 }
 
 impl AssembledText {
-    fn push(&mut self, line: &str, step: Option<usize>) {
-        self.text.push_str(line);
-        self.text.push('\n');
-        self.steps.push(step);
+    /// Adds a block, which may have several lines.
+    fn push(&mut self, block: &str, step: Option<usize>) {
+        for line in block.split('\n') {
+            self.text.push_str(line);
+            self.text.push('\n');
+            self.steps.push(step);
+        }
+        self.blocks += 1;
     }
 
     /// The steps of lines, from 1.
@@ -60,13 +66,13 @@ pub(super) fn assemble(
         let now = own.unwrap_or(last);
         if now > last || is_first {
             for comment in from.remarks.between(last, now, from.carried_out) {
-                text.push(&writer.comment(comment), None);
+                push_comment(&mut text, writer, comment);
             }
         }
         let is_new = own.is_some_and(|own| own > last || is_first) && numbered.insert(own);
         let number = own.filter(|_| is_new).and_then(|line| from.remarks.number(line));
         let comment = own.filter(|_| is_new).and_then(|line| from.remarks.at_line_end(line));
-        let mut words = number.map_or_else(String::new, |number| format!("N{number} "));
+        let mut words = writer.block_start(number, text.blocks);
         words.push_str(&line.text);
         if let Some(comment) = comment {
             words.push(' ');
@@ -76,9 +82,15 @@ pub(super) fn assemble(
         last = last.max(now);
         if after_body == Some(at) {
             for comment in from.remarks.between(last, u32::MAX, from.carried_out) {
-                text.push(&writer.comment(comment), None);
+                push_comment(&mut text, writer, comment);
             }
         }
     }
     text
+}
+
+/// A comment on a line of its own.
+fn push_comment(text: &mut AssembledText, writer: &dyn ProgramWriter, comment: &str) {
+    let block = writer.block_start(None, text.blocks) + &writer.comment(comment);
+    text.push(&block, None);
 }

@@ -5,8 +5,9 @@ use chordal::{Command, CommandKind, Job, Machine};
 use super::super::certify::{ProofTerms, proof};
 use super::super::{ConversionOptions, codes, job};
 use super::places::turns_of_tool_axis;
+use super::program_tools::ProgramTools;
 use super::recorded::RecordedRun;
-use super::tables::{TableSet, UsedNumbers};
+use super::tables::{FilledLengths, TableSet, UsedNumbers};
 use crate::Certificate;
 
 /// What texts on the machine of the new control are compared with: the old program, run once on each set of tables.
@@ -14,6 +15,7 @@ pub(super) struct PostedProof<'a> {
     /// The target with the tables of the old machine.
     machine: &'a Machine,
     used: &'a UsedNumbers,
+    tools: &'a ProgramTools,
     options: &'a ConversionOptions,
     /// The old program with tools of length zero: which length is active does not show in its path.
     without_lengths: Job<'a>,
@@ -38,15 +40,30 @@ impl<'a> PostedProof<'a> {
         old: &'a Job<'a>,
         machine: &'a Machine,
         used: &'a UsedNumbers,
+        tools: &'a ProgramTools,
         options: &'a ConversionOptions,
     ) -> Option<PostedProof<'a>> {
-        let on =
-            |tables: TableSet| old.on_machine(tables.fill(old.machine(), old.profile(), used)).ok();
+        let on = |tables: TableSet| {
+            let mut machine = tables.fill(old.machine(), old.profile(), used);
+            if tables.lengths == FilledLengths::Zero {
+                tools.cancel_allowances(&mut machine);
+            }
+            old.on_machine(machine).ok()
+        };
         let [without_lengths, with_lengths] =
             [on(TableSet::WITHOUT_LENGTHS)?, on(TableSet::FIRST)?];
         let commands = RecordedRun::of(&without_lengths).commands;
         let turns = turns_of_tool_axis(&with_lengths, &RecordedRun::of(&with_lengths));
-        Some(PostedProof { machine, used, options, without_lengths, commands, with_lengths, turns })
+        Some(PostedProof {
+            machine,
+            used,
+            tools,
+            options,
+            without_lengths,
+            commands,
+            with_lengths,
+            turns,
+        })
     }
 
     /// Compares the path, and the machine positions of the tool's axis; `None` where the machine has settings that its
@@ -88,7 +105,11 @@ impl<'a> PostedProof<'a> {
     /// A text on the target with a set of tables.
     fn job(&self, text: &str, tables: TableSet) -> Option<Job<'static>> {
         let profile = chordal::control::control_profile(self.machine.control)?;
-        let machine = tables.fill(self.machine, profile, self.used);
+        let mut machine = tables.fill(self.machine, profile, self.used);
+        self.tools.put_into(&mut machine);
+        if tables.lengths == FilledLengths::Zero {
+            self.tools.cancel_allowances(&mut machine);
+        }
         job("converted", text.to_string(), &machine)
     }
 }

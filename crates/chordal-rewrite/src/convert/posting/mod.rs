@@ -9,6 +9,7 @@ mod assembly;
 mod certificate;
 mod holes;
 mod places;
+mod program_tools;
 mod recorded;
 mod remarks;
 mod tables;
@@ -24,12 +25,13 @@ use chordal::control::{
 };
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, AXIS_LETTERS};
-use chordal::{CommandKind, Diagnostic, Job, Machine, Span};
+use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
 use chordal_compare::ComparisonVerdict;
 
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
 use self::certificate::{PostedProof, ProofOutcome};
 use self::places::UnplacedCommand;
+use self::program_tools::ProgramTools;
 use self::recorded::RecordedRun;
 use self::remarks::SourceRemarks;
 use self::tables::{TableSet, UsedNumbers, with_tables_of};
@@ -56,7 +58,8 @@ pub(super) fn prove_posted(
     options: &ConversionOptions,
 ) -> Option<Certificate> {
     let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
-    let proof = PostedProof::new(old, machine, &used, options)?;
+    let tools = program_tools(old, &used).ok()?;
+    let proof = PostedProof::new(old, machine, &used, &tools, options)?;
     let ProofOutcome { mut certificate, other_tool_axis } = proof.of(&text)?;
     if other_tool_axis.is_some() {
         certificate.comparison.verdict = ComparisonVerdict::Different;
@@ -106,20 +109,37 @@ fn converted(
     let remarks = single_program(old)?;
     check_verified(old)?;
     let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
+    let tools = program_tools(old, &used)?;
+    tools.put_into(&mut conversion.machine);
     let posted = PostedRun::of(old, &used, options)?;
     check_axes(old, &machine, &posted)?;
     check_tools(old, &posted)?;
-    let proof =
-        PostedProof::new(old, &machine, &used, options).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
+    let proof = PostedProof::new(old, &machine, &used, &tools, options)
+        .ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
     let rounds = ConversionRounds {
         old,
         writer: &*writer,
         remarks: &remarks,
         posted: &posted,
+        tools: &tools,
         proof,
         options,
     };
     rounds.run(conversion)
+}
+
+/// What the program says about its tools.
+fn program_tools(old: &Job, used: &UsedNumbers) -> Result<ProgramTools, Vec<ConvertRefusal>> {
+    let run = |tables: TableSet| -> Result<Vec<Command>, Vec<ConvertRefusal>> {
+        let machine = tables.fill(old.machine(), old.profile(), used);
+        let job = old.on_machine(machine).map_err(|error| refusal(error.to_string()))?;
+        Ok(RecordedRun::of(&job).commands)
+    };
+    let (without, with) = (run(TableSet::WITHOUT_LENGTHS)?, run(TableSet::FIRST)?);
+    ProgramTools::of(old, used, [&without, &with]).map_err(|conflict| {
+        let origin = conflict.origin;
+        vec![line_refusal(old, origin.span.file, origin.line, conflict.reason)]
+    })
 }
 
 /// The writer of a control; `None` where programs of other languages are not converted to it.
@@ -260,8 +280,11 @@ impl PostedRun {
         let origins = first.into_iter().map(|index| one.commands[index].origin).collect();
         let programs = old.programs();
         let main = programs.iter().find(|program| program.is_main);
-        let number = main.and_then(|program| program.number());
         let name = main.and_then(|program| Some(program.name.as_ref()?.to_string()));
+        // A name of digits is a number to controls that number their programs.
+        let of_name: Option<u32> = name.as_deref().and_then(|name| name.parse().ok());
+        let number = main.and_then(|program| program.number()).or(of_name);
+        let name = name.filter(|_| of_name.is_none());
         let program = PostedProgram { number, name, start: starting_modes(old, &steps), steps };
         let callers = one.callers();
         Ok(PostedRun { program, origins, carried_out: one.main_lines, callers })
@@ -297,6 +320,7 @@ struct ConversionRounds<'a> {
     writer: &'a dyn ProgramWriter,
     remarks: &'a SourceRemarks,
     posted: &'a PostedRun,
+    tools: &'a ProgramTools,
     proof: PostedProof<'a>,
     options: &'a ConversionOptions,
 }
@@ -401,7 +425,14 @@ impl ConversionRounds<'_> {
             let reason = "what it calls is written out as it runs".to_string();
             Some(Change { line, before, after: String::new(), reason })
         });
-        let mut changes: Vec<Change> = called.chain(written.notes.iter().map(change)).collect();
+        let of_tools = self.tools.sentences().map(|(origin, reason)| Change {
+            line: origin.line,
+            before: words_of_line(self.old, origin.span.file, origin.line),
+            after: String::new(),
+            reason,
+        });
+        let notes = written.notes.iter().map(change);
+        let mut changes: Vec<Change> = called.chain(of_tools).chain(notes).collect();
         changes.sort_by_key(|change| change.line);
         changes.dedup();
         changes
