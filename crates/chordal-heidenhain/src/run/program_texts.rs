@@ -5,7 +5,10 @@ use chordal_kernel::{ConfiguredControl, RunOptions};
 use chordal_machine::Machine;
 
 use crate::settings::HeidenhainSettings;
-use crate::syntax::{KlartextLines, KlartextReader, KlartextStatement, LineReader, block_of_lines};
+use crate::syntax::{
+    KlartextLines, KlartextReader, KlartextStatement, LineReader, block_of_lines,
+    contains_ignoring_case,
+};
 
 /// The line BEGIN PGM of a program.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -95,9 +98,7 @@ pub fn file_stem(file: &str) -> String {
 
 /// Whether the words of a block contain a word, in upper case.
 fn contains_word(text: &[u8], lines: &KlartextLines, word: &[u8]) -> bool {
-    lines.parts.iter().any(|part| {
-        part.slice(text).windows(word.len()).any(|window| window.eq_ignore_ascii_case(word))
-    })
+    lines.parts.iter().any(|part| contains_ignoring_case(part.slice(text), word))
 }
 
 /// The blocks of a text that contain a word, read.

@@ -19,5 +19,5 @@ mod words;
 
 pub use ast::*;
 pub use parser::{KlartextReader, block_of_lines};
-pub use reader::{KlartextLines, LineReader};
+pub use reader::{KlartextLines, LineReader, contains_ignoring_case};
 pub use tokens::{KlartextToken, KlartextTokenKind, scan_tokens};

@@ -5,7 +5,7 @@ use chordal_diagnostics::TextRange;
 use super::ast::KlartextBlock;
 use super::cursor::TokenCursor;
 use super::iso::iso_statement;
-use super::reader::{KlartextLines, LineReader};
+use super::reader::{KlartextLines, LineReader, contains_ignoring_case};
 use super::statements::statement;
 use super::tokens::scan_tokens;
 
@@ -33,13 +33,15 @@ impl<'t> KlartextReader<'t> {
 
     /// The next block that is more than a comment, if it contains one of these words; it is not taken.
     pub fn peek_with(&self, words: &[&[u8]]) -> Option<KlartextBlock> {
+        // Mostly it is a line that moves on.
+        if self.lines.next_is_line_without(words) {
+            return None;
+        }
         let text = self.lines.text();
         let lines = self.lines.clone().find(|lines| is_more_than_comment(text, lines))?;
         let has_word = |part: &TextRange| {
             let part = part.slice(text);
-            words.iter().any(|word| {
-                part.windows(word.len()).any(|window| window.eq_ignore_ascii_case(word))
-            })
+            words.iter().any(|word| contains_ignoring_case(part, word))
         };
         lines.parts.iter().any(has_word).then(|| block_of_lines(text, &lines))
     }

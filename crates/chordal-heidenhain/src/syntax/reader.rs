@@ -54,6 +54,19 @@ impl<'t> LineReader<'t> {
         self.line
     }
 
+    /// Whether the next block is one line, no comment, without any of some words: then it need not be read to know that.
+    pub fn next_is_line_without(&self, words: &[&[u8]]) -> bool {
+        let rest = self.text.get(self.offset as usize..).unwrap_or(&[]);
+        let end = memchr::memchr(b'\n', rest).unwrap_or(rest.len());
+        let line = rest[..end].trim_ascii();
+        let digits = line.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        let first = line[digits..].trim_ascii_start().first();
+        first.is_some_and(u8::is_ascii_alphabetic)
+            && line.last() != Some(&b'~')
+            && !begins_cycle(line)
+            && !words.iter().any(|word| contains_ignoring_case(line, word))
+    }
+
     /// Goes to the block that begins at a byte, on a line.
     pub fn seek(&mut self, offset: u32, line: u32) {
         self.offset = offset.min(self.text.len() as u32);
@@ -108,8 +121,16 @@ impl Iterator for LineReader<'_> {
 
 /// Whether a line defines a cycle that has its data in parameters.
 fn begins_cycle(line: &[u8]) -> bool {
-    line.windows(4).any(|word| word.eq_ignore_ascii_case(b"CYCL"))
-        && line.windows(3).any(|word| word.eq_ignore_ascii_case(b"DEF"))
+    contains_ignoring_case(line, b"CYCL") && contains_ignoring_case(line, b"DEF")
+}
+
+/// Whether a text contains a word of letters in any case.
+pub fn contains_ignoring_case(text: &[u8], word: &[u8]) -> bool {
+    let Some(first) = word.first() else { return true };
+    let starts = memchr::memchr2_iter(first.to_ascii_uppercase(), first.to_ascii_lowercase(), text);
+    starts.into_iter().any(|at| {
+        text.get(at..at + word.len()).is_some_and(|found| found.eq_ignore_ascii_case(word))
+    })
 }
 
 /// Adds a line to its block; true if it ends with `~`, so that the next line belongs to the block, too.
@@ -131,6 +152,10 @@ fn add_line(text: &[u8], line: TextRange, block: &mut KlartextLines) -> bool {
 
 /// The place of the semicolon of a comment, outside of texts in quotes.
 fn comment_start(line: &[u8]) -> Option<usize> {
+    let semicolon = memchr::memchr(b';', line)?;
+    if memchr::memchr(b'"', &line[..semicolon]).is_none() {
+        return Some(semicolon);
+    }
     let mut in_text = false;
     line.iter().position(|byte| {
         in_text ^= *byte == b'"';

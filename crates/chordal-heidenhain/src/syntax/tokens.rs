@@ -77,24 +77,30 @@ fn push_word(
     is_numbered: bool,
     tokens: &mut Vec<KlartextToken>,
 ) {
-    let word = String::from_utf8_lossy(&text[start..end]).to_ascii_uppercase();
-    let mut push = |word: &str, start: usize, end: usize| {
-        let range = TextRange::new(start as u32, end as u32);
-        tokens.push(KlartextToken { kind: KlartextTokenKind::Word(word.to_string()), range });
+    let bytes = &text[start..end];
+    let mut word = match std::str::from_utf8(bytes) {
+        Ok(word) => word.to_string(),
+        Err(_) => String::from_utf8_lossy(bytes).into_owned(),
     };
-    let bank = ["QL", "QR", "QS", "Q"].into_iter().find(|bank| word.ends_with(bank));
+    word.make_ascii_uppercase();
+    let mut push = |word: String, start: usize, end: usize| {
+        let range = TextRange::new(start as u32, end as u32);
+        tokens.push(KlartextToken { kind: KlartextTokenKind::Word(word), range });
+    };
+    let banks = ["QL", "QR", "QS", "Q"].into_iter().filter(|_| is_numbered);
+    let bank = banks.into_iter().find(|bank| word.ends_with(bank));
     // SQ is the square.
     if let Some(bank) = bank
-        && is_numbered
         && word.len() > bank.len()
         && word.len() == end - start
         && word != "SQ"
     {
         let middle = end - bank.len();
-        push(&word[..word.len() - bank.len()], start, middle);
-        return push(bank, middle, end);
+        word.truncate(word.len() - bank.len());
+        push(word, start, middle);
+        return push(bank.to_string(), middle, end);
     }
-    push(&word, start, end);
+    push(word, start, end);
 }
 
 /// The length of a number: digits with one point or comma.
@@ -111,9 +117,13 @@ fn number_length(text: &[u8]) -> usize {
 
 /// The value of a number; `None` without a digit.
 fn number_of(text: &[u8]) -> Option<f64> {
-    let text: String =
-        text.iter().map(|byte| if *byte == b',' { '.' } else { char::from(*byte) }).collect();
-    let value: f64 = text.trim_end_matches('.').parse().ok()?;
+    let value: f64 = if memchr::memchr(b',', text).is_some() {
+        let with_point: Vec<u8> =
+            text.iter().map(|byte| if *byte == b',' { b'.' } else { *byte }).collect();
+        std::str::from_utf8(&with_point).ok()?.parse().ok()?
+    } else {
+        std::str::from_utf8(text).ok()?.parse().ok()?
+    };
     value.is_finite().then_some(value)
 }
 
