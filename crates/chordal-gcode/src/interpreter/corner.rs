@@ -62,8 +62,7 @@ impl Interpreter<'_> {
             self.kernel
                 .report(Diagnostic::new(Code::BadWordValue, word, message).help("remove the sign"));
         } else if size_mm > 0.0 {
-            let corner =
-                ProgrammedCorner { word, name, form, size_mm, block: None, feed: None };
+            let corner = ProgrammedCorner { word, name, form, size_mm, block: None, feed: None };
             self.kernel.request_corner(corner);
         }
     }

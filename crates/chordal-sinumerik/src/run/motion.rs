@@ -320,8 +320,7 @@ impl Interpreter<'_> {
             return;
         }
         let word = self.span(range);
-        let corner =
-            ProgrammedCorner { word, name, form, size_mm: size, block: None, feed: None };
+        let corner = ProgrammedCorner { word, name, form, size_mm: size, block: None, feed: None };
         self.kernel.request_corner(corner);
     }
 }
