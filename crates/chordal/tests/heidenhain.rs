@@ -257,10 +257,10 @@ impl PlaneMap {
             let [x, y, _] = place(note);
             Some([x?, y?])
         };
-        if let (Some(own), Some(work)) = (find(""), find("work ")) {
-            if self.pairs.last().is_none_or(|(last, _)| *last != own) {
-                self.pairs.push((own, work));
-            }
+        if let (Some(own), Some(work)) = (find(""), find("work "))
+            && self.pairs.last().is_none_or(|(last, _)| *last != own)
+        {
+            self.pairs.push((own, work));
         }
     }
 

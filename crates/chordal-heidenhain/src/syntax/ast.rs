@@ -4,6 +4,9 @@ use chordal_command::CompensationSide;
 use chordal_diagnostics::TextRange;
 use chordal_geometry::TurnDirection;
 
+use super::operands::{OperandWord, ParameterName, WordOperand};
+use super::planes::PlaneWords;
+
 /// A block with its statement.
 #[derive(Clone, PartialEq, Debug)]
 pub struct KlartextBlock {
@@ -51,53 +54,6 @@ pub enum KlartextFaultKind {
     Bracket,
     /// An old or wrong spelling that is understood.
     Spelling,
-}
-
-/// The parameters of a program, by how long they live.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub enum ParameterBank {
-    /// Q.
-    Shared,
-    /// QL: of the program alone.
-    Local,
-    /// QR: kept when the control is switched off.
-    Retained,
-    /// QS: texts.
-    Text,
-}
-
-/// The name of a parameter.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord, Debug)]
-pub struct ParameterName {
-    /// Its bank.
-    pub bank: ParameterBank,
-    /// Its number.
-    pub number: u32,
-}
-
-/// A value of a word: a number, or a parameter with a sign.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub enum WordOperand {
-    /// A number.
-    Number(f64),
-    /// A parameter.
-    Parameter {
-        /// It is negated.
-        is_negative: bool,
-        /// The parameter.
-        name: ParameterName,
-    },
-}
-
-/// A word with a value.
-#[derive(Clone, Copy, PartialEq, Debug)]
-pub struct OperandWord {
-    /// It is a distance from the last position (`I`).
-    pub is_incremental: bool,
-    /// Its value.
-    pub value: WordOperand,
-    /// Its text.
-    pub range: TextRange,
 }
 
 /// The names of axes in the order of their words: X Y Z A B C U V W.
@@ -403,45 +359,6 @@ pub struct PatternGroup {
     pub words: Vec<(String, WordOperand)>,
     /// Its text.
     pub range: TextRange,
-}
-
-/// How PLANE gives the tilted plane.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PlaneForm {
-    /// SPATIAL: three angles.
-    Spatial,
-    /// VECTOR: the new X axis and the new Z axis.
-    Vector,
-    /// RESET.
-    Reset,
-    /// Another one, which is not carried out.
-    Other,
-}
-
-/// What the rotary axes do after PLANE.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum PlanePositioning {
-    /// MOVE: they turn, and the tip follows.
-    Move,
-    /// TURN: they turn.
-    Turn,
-    /// STAY: they stay; their angles are given in Q120 to Q122.
-    Stay,
-}
-
-/// The words of PLANE.
-#[derive(Clone, PartialEq, Debug)]
-pub struct PlaneWords {
-    /// Its form.
-    pub form: PlaneForm,
-    /// SPA, SPB and SPC, degrees.
-    pub angles: [Option<OperandWord>; 3],
-    /// BX, BY and BZ.
-    pub base: [Option<OperandWord>; 3],
-    /// NX, NY and NZ.
-    pub normal: [Option<OperandWord>; 3],
-    /// What the rotary axes do.
-    pub positioning: Option<PlanePositioning>,
 }
 
 /// The words of an element of a free contour (FL, FLT, FC, FCT).

@@ -2,9 +2,8 @@
 
 use chordal_diagnostics::TextRange;
 
-use super::ast::{
-    KlartextFault, KlartextFaultKind, OperandWord, ParameterBank, ParameterName, WordOperand,
-};
+use super::ast::{KlartextFault, KlartextFaultKind};
+use super::operands::{OperandWord, ParameterBank, ParameterName, WordOperand};
 use super::tokens::{KlartextToken, KlartextTokenKind};
 
 /// Reads the tokens of a block.

@@ -3,8 +3,9 @@
 use chordal_diagnostics::TextRange;
 use chordal_geometry::TurnDirection;
 
-use super::ast::{CycleValue, CycleWord, KlartextFaultKind, KlartextStatement, WordOperand};
+use super::ast::{CycleValue, CycleWord, KlartextFaultKind, KlartextStatement};
 use super::cursor::TokenCursor;
+use super::operands::WordOperand;
 use super::tokens::KlartextTokenKind;
 
 /// What stands after CYCL DEF.

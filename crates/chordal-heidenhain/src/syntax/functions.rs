@@ -1,11 +1,10 @@
 //! FN, and parameters that get a value.
 
-use super::ast::{
-    JumpComparison, JumpCondition, KlartextFaultKind, KlartextStatement, ParameterBank, WordOperand,
-};
+use super::ast::{JumpComparison, JumpCondition, KlartextFaultKind, KlartextStatement};
 use super::cursor::TokenCursor;
 use super::formulas::{formula, text_formula};
 use super::labels::label_name;
+use super::operands::{ParameterBank, WordOperand};
 use super::words::unread_token;
 
 /// `Q1 = …`, `QS1 = …`.

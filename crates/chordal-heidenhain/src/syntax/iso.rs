@@ -5,12 +5,12 @@ use chordal_diagnostics::TextRange;
 
 use super::ast::{
     AXIS_WORDS, FormulaFunction, FormulaOperator, FormulaStep, IsoWords, JumpComparison,
-    JumpCondition, KlartextFaultKind, KlartextFormula, KlartextLabel, KlartextStatement,
-    OperandWord, PathWords, WordOperand,
+    JumpCondition, KlartextFaultKind, KlartextFormula, KlartextLabel, KlartextStatement, PathWords,
 };
 use super::cursor::TokenCursor;
 use super::cycles::parameters;
 use super::functions::system_numbers;
+use super::operands::{OperandWord, WordOperand};
 use super::tokens::KlartextTokenKind;
 use super::words::{function_word, unread_token};
 

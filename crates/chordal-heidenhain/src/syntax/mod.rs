@@ -11,13 +11,17 @@ mod free_contours;
 mod functions;
 mod iso;
 mod labels;
+mod operands;
 mod parser;
+mod planes;
 mod reader;
 mod statements;
 mod tokens;
 mod words;
 
 pub use ast::*;
+pub use operands::{OperandWord, ParameterBank, ParameterName, WordOperand};
 pub use parser::{KlartextReader, block_of_lines};
+pub use planes::{PlaneForm, PlanePositioning, PlaneWords};
 pub use reader::{KlartextLines, LineReader, contains_ignoring_case};
 pub use tokens::{KlartextToken, KlartextTokenKind, scan_tokens};

@@ -3,15 +3,16 @@
 use chordal_diagnostics::TextRange;
 
 use super::ast::{
-    CycleCallForm, KlartextApproachForm, KlartextFaultKind, KlartextStatement, OperandWord,
-    ParameterBank, PathFunction, PatternGroup, PlaneForm, PlanePositioning, PlaneWords,
-    ToolCallWords, ToolName, UnfollowedFunction, WordOperand,
+    CycleCallForm, KlartextApproachForm, KlartextFaultKind, KlartextStatement, PathFunction,
+    PatternGroup, ToolCallWords, ToolName, UnfollowedFunction,
 };
 use super::cursor::TokenCursor;
 use super::cycles::cycle_definition;
 use super::free_contours::free_contour;
 use super::functions::{assignment, numbered_function};
 use super::labels::label_name;
+use super::operands::{OperandWord, ParameterBank, WordOperand};
+use super::planes::{PlaneForm, PlanePositioning, PlaneWords};
 use super::tokens::{KlartextToken, KlartextTokenKind};
 use super::words::{function_word, path_words, take_feed, unread_token};
 

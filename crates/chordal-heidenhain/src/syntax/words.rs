@@ -4,10 +4,9 @@ use chordal_command::CompensationSide;
 use chordal_diagnostics::TextRange;
 use chordal_geometry::TurnDirection;
 
-use super::ast::{
-    AXIS_WORDS, FeedValue, FeedWord, KlartextFaultKind, MachineFunction, OperandWord, PathWords,
-};
+use super::ast::{AXIS_WORDS, FeedValue, FeedWord, KlartextFaultKind, MachineFunction, PathWords};
 use super::cursor::TokenCursor;
+use super::operands::OperandWord;
 use super::tokens::KlartextTokenKind;
 
 /// Reads the words up to the end of the block.
