@@ -9,7 +9,7 @@ use super::run_state::{KlartextFlow, ReturnPlace};
 use crate::alarms::{LABEL_NOT_FOUND, LABEL_ZERO, NESTING};
 use crate::syntax::{
     JumpComparison, JumpCondition, KlartextLabel, KlartextStatement, LineReader, ParameterBank,
-    WordOperand, block_of_lines,
+    WordOperand, block_of_lines, contains_ignoring_case,
 };
 
 /// The largest number of a label.
@@ -21,10 +21,11 @@ impl KlartextInterpreter<'_> {
         let text = self.text();
         let mut lines = LineReader::new(text);
         let word: &[u8] = if lines.is_iso() { b"G98" } else { b"LBL" };
-        while let Some(block) = lines.next() {
-            let has_label = block.parts.iter().any(|part| {
-                memchr::memmem::find(&part.slice(text).to_ascii_uppercase(), word).is_some()
-            });
+        loop {
+            lines.pass_lines_without(&[word]);
+            let Some(block) = lines.next() else { break };
+            let has_label =
+                block.parts.iter().any(|part| contains_ignoring_case(part.slice(text), word));
             if !has_label {
                 continue;
             }

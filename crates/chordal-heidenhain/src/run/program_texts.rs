@@ -106,7 +106,12 @@ pub fn blocks_with<'t>(
     text: &'t [u8],
     word: &'t [u8],
 ) -> impl Iterator<Item = crate::syntax::KlartextBlock> + 't {
-    LineReader::new(text)
+    let mut lines = LineReader::new(text);
+    let blocks = std::iter::from_fn(move || {
+        lines.pass_lines_without(&[word]);
+        lines.next()
+    });
+    blocks
         .filter(move |lines| contains_word(text, lines, word))
         .map(move |lines| block_of_lines(text, &lines))
 }

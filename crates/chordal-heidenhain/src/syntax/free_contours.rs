@@ -1,7 +1,8 @@
 //! Blocks of free contours: FPOL, FL, FLT, FC, FCT.
 
-use super::ast::{FreeElementWords, KlartextFaultKind, KlartextStatement, OperandWord};
+use super::ast::{FreeElementWords, KlartextFaultKind, KlartextStatement};
 use super::cursor::TokenCursor;
+use super::operands::OperandWord;
 use super::tokens::KlartextTokenKind;
 use super::words::{path_word, path_words, unread_token};
 

@@ -13,6 +13,7 @@ mod iso;
 mod labels;
 mod operands;
 mod parser;
+mod plain_line;
 mod planes;
 mod reader;
 mod statements;

@@ -56,6 +56,9 @@ impl Iterator for KlartextReader<'_> {
     type Item = KlartextBlock;
 
     fn next(&mut self) -> Option<KlartextBlock> {
+        if let Some(block) = self.lines.take_plain_line() {
+            return Some(block);
+        }
         let lines = self.lines.next()?;
         Some(block_of_lines(self.lines.text(), &lines))
     }

@@ -2,6 +2,9 @@
 
 use chordal_diagnostics::TextRange;
 
+use super::ast::KlartextBlock;
+use super::plain_line::plain_line;
+
 /// A block of a program before its words are read.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct KlartextLines {
@@ -82,6 +85,25 @@ impl<'t> LineReader<'t> {
         self.offset = (end + usize::from(length.is_some())) as u32;
         self.line += 1;
         Some(trimmed(self.text, TextRange::new(start as u32, end as u32)))
+    }
+
+    /// Takes the next line if it is a block that only moves straight to numbers.
+    pub fn take_plain_line(&mut self) -> Option<KlartextBlock> {
+        if self.is_iso {
+            return None;
+        }
+        let (offset, line) = (self.offset, self.line);
+        let range = self.next_line()?;
+        let block = plain_line(self.text, range, line);
+        if block.is_none() {
+            (self.offset, self.line) = (offset, line);
+        }
+        block
+    }
+
+    /// Passes lines that are blocks by themselves and have none of some words.
+    pub fn pass_lines_without(&mut self, words: &[&[u8]]) {
+        while self.next_is_line_without(words) && self.next_line().is_some() {}
     }
 
     /// Whether the next line is one of the data of a cycle that is written without `~`: it is indented and begins with a
