@@ -54,6 +54,8 @@ pub(super) struct KlartextBlocks<'a> {
     pub has_tool_axis: bool,
     /// The tool whose length the program wants.
     pub length: Option<u32>,
+    /// The tool has changed since the last move along it: how long the next one is depends on its length.
+    pub is_length_new: bool,
     pub side: DesiredMode<CompensationSide>,
     pub spindle: DesiredMode<SpindleState>,
     /// S, rev/min.
@@ -94,6 +96,7 @@ impl<'a> KlartextBlocks<'a> {
             tool: 0,
             has_tool_axis: false,
             length: None,
+            is_length_new: true,
             side: DesiredMode::new(CompensationSide::Off),
             spindle: DesiredMode::new(SpindleState::Off),
             speed: DesiredMode::new(0.0),

@@ -73,12 +73,17 @@ impl KlartextBlocks<'_> {
 
     /// The command of a step.
     fn command(&mut self, command: &CommandKind) -> Result<(), String> {
-        match command {
-            CommandKind::Rapid { motion, .. } => self.rapid(motion),
-            CommandKind::Line { motion, feed } => self.cut(motion, feed),
-            CommandKind::Arc { motion, shape, feed }
-            | CommandKind::Spiral { motion, shape, feed } => self.arc(motion, shape, feed),
-            other => self.mode(other),
+        if let CommandKind::Rapid { motion, .. } = command {
+            return self.rapid(motion);
         }
+        if let CommandKind::Line { motion, feed } = command {
+            return self.cut(motion, feed);
+        }
+        if let CommandKind::Arc { motion, shape, feed }
+        | CommandKind::Spiral { motion, shape, feed } = command
+        {
+            return self.arc(motion, shape, feed);
+        }
+        self.mode(command)
     }
 }

@@ -43,6 +43,7 @@ impl KlartextBlocks<'_> {
                         "a tool length that is subtracted, or that the program gives itself".into(),
                     );
                 }
+                self.is_length_new |= self.length != *number;
                 self.length = *number;
                 Ok(())
             }
@@ -111,6 +112,7 @@ impl KlartextBlocks<'_> {
 
     /// TOOL CALL with the speed of what comes next.
     fn change_tool(&mut self, number: u32) {
+        self.is_length_new |= self.tool != number;
         self.tool = number;
         self.has_tool_axis = true;
         let speed = self.next_speed().unwrap_or(self.speed.desired);

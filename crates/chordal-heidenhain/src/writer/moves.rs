@@ -35,6 +35,9 @@ impl KlartextBlocks<'_> {
             false => self.feed_value(feed, length.sqrt()),
         };
         self.check_rotary_feed(motion, feed)?;
+        if feed.mode == FeedMode::InverseTime {
+            self.check_known_rise(motion)?;
+        }
         self.straight(motion, Some(value))
     }
 
@@ -62,6 +65,7 @@ impl KlartextBlocks<'_> {
             words.push("M99".into());
             self.has_called = true;
         }
+        self.is_length_new &= !self.is_moved(motion, TOOL_AXIS);
         self.line(words.join(" "));
         Ok(())
     }
@@ -88,12 +92,14 @@ impl KlartextBlocks<'_> {
             );
         }
         self.check_length(motion)?;
+        let is_long = shape.sweep.abs() / TAU > 1.0 + TURN_ROUNDING;
+        if is_long || feed.along == FeedAlong::Plane || feed.mode == FeedMode::InverseTime {
+            self.check_known_rise(motion)?;
+        }
         self.prepare_move(true)?;
         self.set_center([a, b], shape.center);
         let rise =
             self.lengths.rounded(motion.to[normal]) - self.lengths.rounded(motion.from[normal]);
-        let turns = shape.sweep.abs() / TAU;
-        let is_long = turns > 1.0 + TURN_ROUNDING;
         let mut words = match is_long {
             true => self.polar_words(shape, is_closed, (normal, rise)),
             false => self.end_words(motion, [a, b]),
@@ -105,8 +111,17 @@ impl KlartextBlocks<'_> {
         words.extend(self.feed_word(value));
         words.extend(self.take_functions());
         self.push_corner_function(&mut words);
+        self.is_length_new &= !self.is_moved(motion, TOOL_AXIS);
         self.line(words.join(" "));
         Ok(())
+    }
+
+    /// How far the first move along a new tool goes depends on the length of the tool, and what is written must not.
+    fn check_known_rise(&self, motion: &Move) -> Result<(), String> {
+        match self.is_length_new && self.is_moved(motion, TOOL_AXIS) {
+            true => Err("a helix, or a move in inverse time, directly after a tool change: how far it goes along the tool depends on the length of the tool, so move to a level before it".into()),
+            false => Ok(()),
+        }
     }
 
     /// CC, where another one is active. Its two axes choose the plane of the arc.
@@ -155,6 +170,7 @@ impl KlartextBlocks<'_> {
     /// A rapid in machine coordinates.
     pub fn machine_move(&mut self, place: &Position, axes: AxisMask) {
         self.write_spindle();
+        self.is_length_new |= axes.has(TOOL_AXIS);
         let mut words = vec!["L".to_string()];
         words.extend(axes.iter().map(|axis| self.axis_word(axis as usize, place[axis as usize])));
         self.side.desired = CompensationSide::Off;

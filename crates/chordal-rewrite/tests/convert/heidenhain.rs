@@ -365,6 +365,7 @@ fn refusals_have_a_sentence() {
         "G21 G90 G54 T2 M6\nS900 M3\nG0 X0 Y0\nG43 H2 Z5.\nG1 G41 D5 X10. Y10. F100.\nG40 X20.\nM30\n",
         "G21 G90 G54 S900 M3\nG0 X0 Y0 Z5.\nG10 L2 P1 X5.\nG1 X10. F100.\nM30\n",
         "G21 G90 G54 M3\nG0 X0 Y0 Z5.\nG1 X10. F100.\nM30\n",
+        "G21 G90 G54 T1 M6\nG43 H1 G0 X0 Y0 Z5. S900 M3\nT2 M6\nG43 H2\nG3 X10. Z-1. I5. J0 F100.\nM30\n",
         "G21 G90 G54 S900 M3\nG0 X0 Y0 Z5.\nG31 X10. F100.\nM30\n",
     ] {
         table += &format!("{text}    {}\n", reason(text, "fanuc-30i", "heidenhain-mill"));
@@ -381,4 +382,14 @@ fn refusals_have_a_sentence() {
         table += &format!("{text}    {}\n", reason(&text, "heidenhain-mill", "haas-vf2"));
     }
     insta::assert_snapshot!(table);
+}
+
+/// The plane of an arc before a contour is not that of the contour.
+#[test]
+fn compensation_after_arcs_in_other_planes() {
+    let text = format!(
+        "{HEAD}G0 X-20. Y-20.\nG1 Z-3. F300.\nG18 G2 X-10. Z-3. I5. K0\nG19 G3 Y-10. Z-3. J5. K0\nG17\nG1 G41 D1 X0 Y0\nY40.\nX40.\nY0\nX-20.\nG40 Y-20.\nG0 Z20.\nM30\n"
+    );
+    let texts = proved_both_ways(&text, "fanuc-30i");
+    has_lines(&texts, [&["L X+0 Y+0 RL", "L Y-20 R0"], &["G41 D1", "G40"]]);
 }

@@ -4,7 +4,7 @@
 
 use std::collections::BTreeMap;
 
-use chordal::control::Origin;
+use chordal::control::{Origin, Position};
 use chordal::{Command, CommandKind, Job, Machine};
 
 use super::tables::{TableSet, UsedNumbers};
@@ -38,71 +38,109 @@ pub(super) struct ToolConflict {
     pub reason: String,
 }
 
+/// Reads the commands of two runs, and what they say about tools.
+struct ToolDataReader<'m> {
+    /// The machine of the old program.
+    machine: &'m Machine,
+    /// The same with the lengths of [`TableSet::FIRST`].
+    filled: Machine,
+    tools: ProgramTools,
+    /// What is said of the length of each tool.
+    lengths: BTreeMap<u32, (Option<f64>, f64)>,
+    /// The radius of each tool, mm.
+    radii: BTreeMap<u32, f64>,
+}
+
+impl ToolDataReader<'_> {
+    /// Takes a command of both runs, or says why no table can have its data.
+    fn take(&mut self, one: &Command, other: &Command) -> Result<(), String> {
+        let origin = one.origin;
+        if let (
+            CommandKind::ToolLength {
+                number: Some(number),
+                offset: zero,
+                is_subtracted: false,
+                ..
+            },
+            CommandKind::ToolLength { offset, .. },
+        ) = (&one.kind, &other.kind)
+        {
+            self.take_length(*number, [zero, offset], origin)?;
+        }
+        if let CommandKind::Compensation { number: Some(number), radius_mm: Some(radius), .. } =
+            &one.kind
+        {
+            self.take_radius(*number, *radius, origin)?;
+        }
+        Ok(())
+    }
+
+    fn take_length(
+        &mut self,
+        number: u32,
+        [zero, other]: [&Position; 2],
+        origin: Origin,
+    ) -> Result<(), String> {
+        if (0..TOOL_AXIS).any(|axis| zero[axis] != other[axis]) {
+            return Err(format!(
+                "the length of tool {number} does not lie along Z: the tool axis is another one"
+            ));
+        }
+        let table = self.filled.tools.get(&number).and_then(|tool| tool.offset[TOOL_AXIS]);
+        let own = own_length([zero[TOOL_AXIS], other[TOOL_AXIS]], table.unwrap_or(0.0));
+        let before = self.lengths.insert(number, own);
+        if before.is_some_and(|before| before != own) {
+            return Err(format!(
+                "the program gives tool {number} several lengths: a tool table has one"
+            ));
+        }
+        if own != (None, 0.0) {
+            let tool = self.tools.tool(number, origin);
+            (tool.length_mm, tool.allowance_mm) = own;
+        }
+        Ok(())
+    }
+
+    fn take_radius(&mut self, number: u32, radius: f64, origin: Origin) -> Result<(), String> {
+        let before = self.radii.insert(number, radius);
+        if before.is_some_and(|before| (before - radius).abs() > EQUAL_MM) {
+            return Err(format!(
+                "the program gives tool {number} several radii: a tool table has one"
+            ));
+        }
+        let of_table = self.machine.tools.get(&number).and_then(|tool| {
+            Some((tool.diameter_mm? + tool.diameter_wear_mm.unwrap_or(0.0)) / 2.0)
+        });
+        if of_table.is_none_or(|own| (own - radius).abs() > EQUAL_MM) {
+            self.tools.tool(number, origin).radius_mm = Some(radius);
+        }
+        Ok(())
+    }
+}
+
 impl ProgramTools {
-    /// From the commands of two runs: with lengths of zero in the table, and with those of [`TableSet::FIRST`].
+    /// From the commands of two runs: with lengths of zero in the table, and with those of [`TableSet::FIRST`]. Programs
+    /// of words write into the tables, which is refused elsewhere: they give no data themselves.
     pub fn of(
         old: &Job,
         used: &UsedNumbers,
         [without, with]: [&[Command]; 2],
     ) -> Result<ProgramTools, ToolConflict> {
-        let mut tools = ProgramTools::default();
-        let mut seen = BTreeMap::new();
-        let filled = TableSet::FIRST.fill(old.machine(), old.profile(), used);
-        for (one, other) in without.iter().zip(with) {
-            let (origin, conflict) =
-                (one.origin, |reason| ToolConflict { origin: one.origin, reason });
-            if let (
-                CommandKind::ToolLength {
-                    number: Some(number), offset: zero, is_subtracted, ..
-                },
-                CommandKind::ToolLength { offset, .. },
-            ) = (&one.kind, &other.kind)
-            {
-                if *is_subtracted {
-                    continue;
-                }
-                if (0..TOOL_AXIS).any(|axis| zero[axis] != offset[axis]) {
-                    return Err(conflict(format!(
-                        "the length of tool {number} does not lie along Z: the tool axis is another one"
-                    )));
-                }
-                let table = filled.tools.get(number).and_then(|tool| tool.offset[TOOL_AXIS]);
-                let own = own_length([zero[TOOL_AXIS], offset[TOOL_AXIS]], table.unwrap_or(0.0));
-                if seen.insert(*number, own).is_some_and(|before: (Option<f64>, f64)| before != own)
-                {
-                    return Err(conflict(format!(
-                        "the program gives tool {number} several lengths: a tool table has one"
-                    )));
-                }
-                if own != (None, 0.0) {
-                    let tool = tools.tool(*number, origin);
-                    (tool.length_mm, tool.allowance_mm) = own;
-                }
-            }
-            if let CommandKind::Compensation {
-                number: Some(number), radius_mm: Some(radius), ..
-            } = &one.kind
-            {
-                let table = old.machine().tools.get(number).and_then(|tool| tool.diameter_mm);
-                let is_of_table =
-                    table.is_some_and(|table| (table / 2.0 - radius).abs() < EQUAL_MM);
-                let before = tools.0.get(number).and_then(|tool| tool.radius_mm);
-                if before.is_some_and(|before| before != *radius) {
-                    return Err(conflict(format!(
-                        "the program gives tool {number} several radii: a tool table has one"
-                    )));
-                }
-                let has_wear = old
-                    .machine()
-                    .tools
-                    .get(number)
-                    .is_some_and(|tool| tool.diameter_wear_mm.is_some());
-                if !is_of_table && !has_wear && !old_reads_blocks(old) {
-                    tools.tool(*number, origin).radius_mm = Some(*radius);
-                }
-            }
+        let mut reader = ToolDataReader {
+            machine: old.machine(),
+            filled: TableSet::FIRST.fill(old.machine(), old.profile(), used),
+            tools: ProgramTools::default(),
+            lengths: BTreeMap::new(),
+            radii: BTreeMap::new(),
+        };
+        if old.word_address().is_some() {
+            return Ok(reader.tools);
         }
-        Ok(tools)
+        for (one, other) in without.iter().zip(with) {
+            let conflict = |reason| ToolConflict { origin: one.origin, reason };
+            reader.take(one, other).map_err(conflict)?;
+        }
+        Ok(reader.tools)
     }
 
     fn tool(&mut self, number: u32, origin: Origin) -> &mut ProgramTool {
@@ -153,11 +191,6 @@ impl ProgramTools {
             (own.origin, reason)
         })
     }
-}
-
-/// Whether only the tables of the machine give radii.
-fn old_reads_blocks(old: &Job) -> bool {
-    old.word_address().is_some()
 }
 
 /// The length that the program gives, or what it adds to that of the table.

@@ -340,7 +340,20 @@ impl RunWriter<'_> {
             | CommandKind::Idle
             | CommandKind::Message(_) => false,
         };
+        if matches!(command, CommandKind::Compensation { .. }) {
+            self.write_plane_before_compensation()?;
+        }
         if is_new { self.emitter.step(command) } else { Ok(()) }
+    }
+
+    /// Compensation is active in the plane that it finds: the plane stands in a block before it.
+    fn write_plane_before_compensation(&mut self) -> Result<(), String> {
+        let plane = self.modes.desired.plane;
+        if std::mem::replace(&mut self.modes.written.plane, plane) != plane {
+            self.emitter.step(&CommandKind::Plane(plane))?;
+            self.emitter.finish();
+        }
+        Ok(())
     }
 
     /// What the next move needs; the feed mode where it cuts.
