@@ -170,8 +170,9 @@ impl ElementCarrier {
                 ElementCarrier::Circle { center: other, signed: s },
             ) => {
                 let Some(across) = unit_vector(one, other) else { return Vec::new() };
-                let apart = distance(one, other);
-                let along = (apart * apart + r * r - s * s) / (2.0 * apart);
+                let center_distance = distance(one, other);
+                let along =
+                    (center_distance * center_distance + r * r - s * s) / (2.0 * center_distance);
                 points_at_distance(plus(one, across, along), left_normal(across), one, r.abs())
             }
         }
@@ -332,14 +333,14 @@ impl FreeChain<'_> {
         let is_rounding = self.values[index].is_tangent && self.values.get(index + 1)?.is_tangent;
         let before = self.carriers[index.checked_sub(1)?]?;
         let after = self.carriers[index + 1]?;
-        let beside = |carrier| match carrier {
+        let shifted = |carrier| match carrier {
             ElementCarrier::Line { point, direction } => {
                 let point = plus(point, left_normal(direction), signed);
                 Some(ElementCarrier::Line { point, direction })
             }
             ElementCarrier::Circle { .. } => None,
         };
-        let found = beside(before)?.meeting_points(&beside(after)?);
+        let found = shifted(before)?.meeting_points(&shifted(after)?);
         found.first().copied().filter(|_| is_rounding)
     }
 
@@ -358,12 +359,12 @@ impl FreeChain<'_> {
         {
             return Some(plus(start, direction, length));
         }
-        let ways = [
+        let sources = [
             self.meeting_next(index, &carrier),
             self.at_coordinate(index, &carrier),
             self.at_polar(index, &carrier),
         ];
-        ways.into_iter().find_map(|mut candidates| {
+        sources.into_iter().find_map(|mut candidates| {
             candidates.retain(|point| self.agrees(index, *point));
             match candidates.as_slice() {
                 [point] => Some(*point),
@@ -385,10 +386,10 @@ impl FreeChain<'_> {
 
     /// Where it has the coordinate that is given of the end.
     fn at_coordinate(&self, index: usize, carrier: &ElementCarrier) -> Vec<[f64; 2]> {
-        let given = self.values[index].end;
-        let Some(axis) = given.iter().position(Option::is_some) else { return Vec::new() };
+        let end = self.values[index].end;
+        let Some(axis) = end.iter().position(Option::is_some) else { return Vec::new() };
         let (mut point, mut direction) = ([0.0; 2], [1.0; 2]);
-        (point[axis], direction[axis]) = (given[axis].unwrap_or(0.0), 0.0);
+        (point[axis], direction[axis]) = (end[axis].unwrap_or(0.0), 0.0);
         carrier.meeting_points(&ElementCarrier::Line { point, direction })
     }
 

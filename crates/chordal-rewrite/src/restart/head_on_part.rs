@@ -142,9 +142,9 @@ impl HeadWriter<'_, '_> {
         }
         let rise = (self.before.highest - modal.position[2]).max(0.0);
         let [x, y, z, ..] = modal.position;
-        let way = if rise < EXACT { Vec3::ZERO } else { direction * (rise / direction.z) };
+        let retract = if rise < EXACT { Vec3::ZERO } else { direction * (rise / direction.z) };
         let mut clear = modal.position;
-        clear[..3].copy_from_slice(&(Vec3::new(x, y, z) + way).to_array());
+        clear[..3].copy_from_slice(&(Vec3::new(x, y, z) + retract).to_array());
         Ok(clear)
     }
 }

@@ -3,7 +3,7 @@
 use chordal::Control;
 use chordal::control::{Action, LengthCode, ModeCode, OnceCode, TiltedPlaneCode};
 use chordal::path::ProgramFrame;
-use chordal::syntax::{Block, Letters};
+use chordal::syntax::{Block, Letters, Word};
 
 use crate::convert::codes::name;
 use crate::source::SourceBlocks;
@@ -40,38 +40,58 @@ impl PartFrameWords {
                 Action::Length(LengthCode::Cancel) => (self.length, self.vector) = (None, vec![]),
                 Action::Length(code) => self.length = Some(code),
                 Action::Mode(ModeCode::RotationOff) => self.end_plane(),
-                Action::Once(OnceCode::TiltedPlane(code)) => match code {
-                    TiltedPlaneCode::Turn { holds_tip } => {
-                        let mut words =
-                            source.code_with(block, word, |letter| row.words.has(letter));
-                        // A head turns far from the part, where no tip can be held.
-                        let alone = TiltedPlaneCode::Turn { holds_tip: false };
-                        let alone = Action::Once(OnceCode::TiltedPlane(alone));
-                        let alone = holds_tip.then(|| name(alone, control, source.style)).flatten();
-                        if let (Some(alone), Some(code)) = (alone, words.first_mut()) {
-                            *code = alone;
-                        }
-                        self.plane.push(words.join(source.style.gap()));
-                        self.has_turned = true;
-                    }
-                    TiltedPlaneCode::Define { in_active } => {
-                        self.define(source.words_of(block), in_active);
-                    }
-                    TiltedPlaneCode::DefineByAxes => self.define(source.words_of(block), false),
-                    TiltedPlaneCode::DefineByTool | TiltedPlaneCode::OriginOnTable { on: true } => {
-                        self.define(source.words_of(block), false);
-                    }
-                    TiltedPlaneCode::Off | TiltedPlaneCode::OriginOnTable { on: false } => {
-                        self.end_plane();
-                    }
-                },
-                _ => {}
+                Action::Once(OnceCode::TiltedPlane(code)) => {
+                    self.follow_plane(source, control, block, (word, code));
+                }
+                Action::Reading(_)
+                | Action::Before(_)
+                | Action::Mode(_)
+                | Action::Motion(_)
+                | Action::Cycle(_)
+                | Action::Once(_)
+                | Action::Call(_)
+                | Action::After(_)
+                | Action::NoEffect
+                | Action::NotSimulated
+                | Action::NotFollowed => {}
             }
         }
         let vector = Letters::of("IJK");
         if self.length == Some(LengthCode::ToolCenterByVector) && block.letters().meets(vector) {
             let words = block.words.iter().filter(|word| vector.has(word.letter));
             self.vector = words.map(|word| source.text_of(word)).collect();
+        }
+    }
+
+    fn follow_plane(
+        &mut self,
+        source: &SourceBlocks,
+        control: &Control,
+        block: &Block,
+        (word, code): (&Word, TiltedPlaneCode),
+    ) {
+        match code {
+            TiltedPlaneCode::Turn { holds_tip } => {
+                let is_own =
+                    |letter: u8| control.row_of(word).is_some_and(|row| row.words.has(letter));
+                let mut words = source.code_with(block, word, is_own);
+                // A head turns far from the part, where no tip can be held.
+                let alone = TiltedPlaneCode::Turn { holds_tip: false };
+                let alone = Action::Once(OnceCode::TiltedPlane(alone));
+                let alone = holds_tip.then(|| name(alone, control, source.style)).flatten();
+                if let (Some(alone), Some(code)) = (alone, words.first_mut()) {
+                    *code = alone;
+                }
+                self.plane.push(words.join(source.style.gap()));
+                self.has_turned = true;
+            }
+            TiltedPlaneCode::Define { in_active } => self.define(source.words_of(block), in_active),
+            TiltedPlaneCode::DefineByAxes
+            | TiltedPlaneCode::DefineByTool
+            | TiltedPlaneCode::OriginOnTable { on: true } => {
+                self.define(source.words_of(block), false);
+            }
+            TiltedPlaneCode::Off | TiltedPlaneCode::OriginOnTable { on: false } => self.end_plane(),
         }
     }
 
