@@ -3,7 +3,7 @@
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, TextRange};
 use chordal_geometry::{Transform, Vec3};
-use chordal_kernel::TurnError;
+use chordal_kernel::{AngleSign, TurnError};
 
 use super::interpreter::KlartextInterpreter;
 use super::transformations::CoordinateChain;
@@ -17,6 +17,14 @@ pub fn spatial_rotation(degrees: [f64; 3]) -> Transform {
     };
     let [a, b, c] = degrees;
     turn(Vec3::X, a).then(&turn(Vec3::Y, b)).then(&turn(Vec3::Z, c))
+}
+
+/// The rotation of Euler angles, degrees: about Z, then about the new X, then about the new Z (R = Rz·Rx·Rz).
+pub fn euler_rotation(precession: f64, nutation: f64, rotation: f64) -> Transform {
+    let turn = |axis: Vec3, degrees: f64| {
+        Transform::rotation_about(Vec3::ZERO, axis, degrees.to_radians())
+    };
+    turn(Vec3::Z, rotation).then(&turn(Vec3::X, nutation)).then(&turn(Vec3::Z, precession))
 }
 
 /// The rotation whose new Z is along a normal and whose new X is a base vector made perpendicular to it; `None` if they
@@ -61,6 +69,19 @@ impl KlartextInterpreter<'_> {
                 };
                 Some(spatial_rotation([a, b, c]))
             }
+            PlaneForm::Euler => {
+                let angles = words.euler.map(|word| self.plane_value(word));
+                let [Some(precession), Some(nutation), Some(rotation)] = angles else {
+                    let message = "PLANE EULER lacks one of EULPR, EULNU and EULROT";
+                    return self.problem(Code::MissingWord, range, message);
+                };
+                Some(euler_rotation(precession, nutation, rotation))
+            }
+            PlaneForm::Points => match self.rotation_of_points(words) {
+                Some(rotation) => Some(rotation),
+                None => return,
+            },
+            PlaneForm::Relative => Some(self.rotation_in_plane(words)),
             PlaneForm::Vector => {
                 let [base, normal] = [words.base, words.normal]
                     .map(|vector| vector.map(|word| self.plane_value(word).unwrap_or(0.0)));
@@ -79,8 +100,42 @@ impl KlartextInterpreter<'_> {
             return;
         }
         match rotation {
-            Some(rotation) => self.tilt(&rotation, words.positioning),
+            Some(rotation) => self.tilt(&rotation, words.positioning, words.sequence),
             None => self.level(words.positioning),
+        }
+    }
+
+    /// PLANE POINTS: X from the first point to the second one, the third on the side of Y. The datum stays.
+    fn rotation_of_points(&mut self, words: &PlaneWords) -> Option<Transform> {
+        let range = self.here;
+        let values = words.points.map(|point| point.map(|word| self.plane_value(word)));
+        let mut points = [Vec3::ZERO; 3];
+        for (point, values) in points.iter_mut().zip(values) {
+            let [Some(x), Some(y), Some(z)] = values else {
+                let message = "PLANE POINTS lacks one of the coordinates P1X to P3Z";
+                self.problem(Code::MissingWord, range, message);
+                return None;
+            };
+            *point = Vec3::new(x, y, z);
+        }
+        let [first, second, third] = points;
+        let (along, aside) = (second - first, third - first);
+        let found = vector_rotation(along.to_array(), along.cross(aside).to_array());
+        if found.is_none() {
+            let message = "the three points of PLANE lie on a line";
+            self.problem(Code::TiltedPlane, range, message);
+        }
+        found
+    }
+
+    /// PLANE RELATIV: a spatial angle about an axis of the plane that is in force.
+    fn rotation_in_plane(&mut self, words: &PlaneWords) -> Transform {
+        let angles = words.angles.map(|word| self.plane_value(word).unwrap_or(0.0));
+        let turn = spatial_rotation(angles);
+        let outside = self.modes.outside_plane.as_ref().and_then(CoordinateChain::rigid_map);
+        match (self.kernel.tilted_plane(), outside) {
+            (Some(plane), Some(outside)) => turn.then(&plane).then(&outside.inverse()),
+            _ => turn,
         }
     }
 
@@ -98,7 +153,7 @@ impl KlartextInterpreter<'_> {
         }
         match is_off {
             true => self.level(Some(PlanePositioning::Stay)),
-            false => self.tilt(&rotation, Some(PlanePositioning::Stay)),
+            false => self.tilt(&rotation, Some(PlanePositioning::Stay), None),
         }
     }
 
@@ -122,7 +177,12 @@ impl KlartextInterpreter<'_> {
     }
 
     /// From here on coordinates are those of a plane, which is rotated about the active datum.
-    fn tilt(&mut self, rotation: &Transform, positioning: Option<PlanePositioning>) {
+    fn tilt(
+        &mut self,
+        rotation: &Transform,
+        positioning: Option<PlanePositioning>,
+        sequence: Option<bool>,
+    ) {
         let range = self.here;
         let outside = match self.modes.outside_plane.take() {
             Some(outside) => outside,
@@ -137,10 +197,20 @@ impl KlartextInterpreter<'_> {
         self.modes.chain = CoordinateChain::default();
         self.update_frame();
         self.kernel.set_tilted_plane(Some(rotation.then(&map)));
+        let sign = sequence.map(|is_positive| match is_positive {
+            true => AngleSign::Positive,
+            false => AngleSign::Negative,
+        });
         let turned = match positioning {
-            Some(PlanePositioning::Stay) | None => self.set_plane_parameters(),
-            Some(PlanePositioning::Turn) => self.kernel.turn_to_plane(false, None),
-            Some(PlanePositioning::Move) => self.kernel.turn_to_plane(true, None),
+            Some(PlanePositioning::Stay) | None => {
+                if sign.is_some() {
+                    let what = "SEQ with STAY is not followed: Q120 to Q122 are those without it";
+                    self.not_followed_once("SEQ", range, what);
+                }
+                self.set_plane_parameters()
+            }
+            Some(PlanePositioning::Turn) => self.kernel.turn_to_plane(false, sign),
+            Some(PlanePositioning::Move) => self.kernel.turn_to_plane(true, sign),
         };
         if let Err(error) = turned {
             self.report_turn(error);
@@ -286,5 +356,33 @@ mod tests {
             near(found.apply_vector(axis), [expected.x, expected.y, expected.z]);
         }
         assert!(vector_rotation([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).is_none());
+    }
+
+    fn assert_same(one: &Transform, other: &Transform) {
+        for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
+            let off = (one.apply_vector(axis) - other.apply_vector(axis)).length();
+            assert!(off < 1e-12, "{one:?} is not {other:?}");
+        }
+    }
+
+    #[test]
+    fn forms_of_one_plane_are_the_same_rotation() {
+        // Tilted by 30 degrees about X, then turned by 90 degrees about Z.
+        let spatial = spatial_rotation([30.0, 0.0, 90.0]);
+        assert_same(&spatial, &euler_rotation(90.0, 30.0, 0.0));
+        let (sin, cos) = (0.5, 0.75_f64.sqrt());
+        let normal = [sin, 0.0, cos];
+        let vectors = vector_rotation([0.0, 2.0, 0.0], normal).expect("a rotation");
+        assert_same(&spatial, &vectors);
+        // The third point is on the side of the new Y, (-cos 30, 0, sin 30).
+        let (along, aside) = (Vec3::new(0.0, 5.0, 0.0), Vec3::new(-cos, 3.0, sin));
+        let points = vector_rotation(along.to_array(), along.cross(aside).to_array());
+        assert_same(&spatial, &points.expect("a rotation"));
+    }
+
+    #[test]
+    fn parallel_vectors_are_no_plane() {
+        assert!(vector_rotation([0.0, 0.0, 1.0], [0.0, 0.0, 2.0]).is_none());
+        assert!(vector_rotation([1.0, 0.0, 0.0], [0.0; 3]).is_none());
     }
 }

@@ -12,7 +12,7 @@ use super::free_contours::free_contour;
 use super::functions::{assignment, numbered_function};
 use super::labels::label_name;
 use super::operands::{OperandWord, ParameterBank, WordOperand};
-use super::planes::{PlaneForm, PlanePositioning, PlaneWords};
+use super::planes::plane_words;
 use super::tokens::{KlartextToken, KlartextTokenKind};
 use super::words::{function_word, path_words, take_feed, unread_token};
 
@@ -203,46 +203,6 @@ fn function(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         (Some("RESET" | "MODE"), _) => KlartextStatement::Nothing,
         _ => KlartextStatement::NotFollowed(UnfollowedFunction::Function),
     }
-}
-
-/// What stands after PLANE.
-fn plane_words(cursor: &mut TokenCursor<'_>) -> PlaneWords {
-    let form = match cursor.peek_word() {
-        Some("SPATIAL") => PlaneForm::Spatial,
-        Some("VECTOR") => PlaneForm::Vector,
-        Some("RESET") => PlaneForm::Reset,
-        _ => PlaneForm::Other,
-    };
-    let mut words = PlaneWords {
-        form,
-        angles: [None; 3],
-        base: [None; 3],
-        normal: [None; 3],
-        positioning: None,
-    };
-    cursor.take();
-    while let Some(token) = cursor.take() {
-        let KlartextTokenKind::Word(word) = &token.kind else { continue };
-        let index = |names: [&str; 3]| names.iter().position(|name| name == word);
-        let place = if let Some(index) = index(["SPA", "SPB", "SPC"]) {
-            &mut words.angles[index]
-        } else if let Some(index) = index(["BX", "BY", "BZ"]) {
-            &mut words.base[index]
-        } else if let Some(index) = index(["NX", "NY", "NZ"]) {
-            &mut words.normal[index]
-        } else {
-            // The feed, the distance of the turning point and the choice of the solution move nothing of the plane.
-            match word.as_str() {
-                "MOVE" => words.positioning = Some(PlanePositioning::Move),
-                "TURN" => words.positioning = Some(PlanePositioning::Turn),
-                "STAY" => words.positioning = Some(PlanePositioning::Stay),
-                _ => {}
-            }
-            continue;
-        };
-        *place = cursor.operand_of(token.range, false);
-    }
-    words
 }
 
 fn unknown(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
