@@ -70,7 +70,7 @@ struct RecordedMove {
 }
 
 /// What a run leaves.
-struct RunRecord {
+struct KlartextRunRecord {
     moves: Vec<RecordedMove>,
     /// The values of each line in the order of its last run.
     values: BTreeMap<u32, Vec<f64>>,
@@ -153,7 +153,7 @@ fn with_values(text: &str) -> (String, Vec<u32>) {
 }
 
 /// Runs a program with those of its folder that others call.
-fn run(path: &Path) -> RunRecord {
+fn run(path: &Path) -> KlartextRunRecord {
     let text = fs::read_to_string(path).expect("a program");
     let (with_values, lines) = with_values(&text);
     let mut sources = SourceMap::new();
@@ -219,7 +219,7 @@ fn run(path: &Path) -> RunRecord {
         (lines.collect(), found)
     });
     let problems = problems.collect();
-    RunRecord { moves, values, problems }
+    KlartextRunRecord { moves, values, problems }
 }
 
 /// The value after a letter: `X+10.5`.
@@ -285,7 +285,7 @@ impl PlaneMap {
 fn check(
     note: &str,
     line: u32,
-    record: &RunRecord,
+    record: &KlartextRunRecord,
     is_mapped: bool,
     map: &PlaneMap,
 ) -> Option<String> {
@@ -432,7 +432,7 @@ fn points_of(step: &RecordedMove) -> Vec<[f64; 2]> {
 }
 
 /// The points of a compensated path that a line expects, in their order; what is wrong for each.
-fn check_path(notes: &[String], line: u32, record: &RunRecord) -> Vec<String> {
+fn check_path(notes: &[String], line: u32, record: &KlartextRunRecord) -> Vec<String> {
     let of_line = || record.moves.iter().filter(move |step| step.line == line);
     // A rounding is named with the point where it begins.
     let start = of_line().next().map(|step| {

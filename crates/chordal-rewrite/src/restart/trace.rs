@@ -144,6 +144,7 @@ impl EventTrace {
             last: (0, 0),
             line: 0,
             has_ended: false,
+            is_on_part: false,
             state: None,
             trace: EventTrace { rolling: rolling_axes(job), ..EventTrace::default() },
         };
@@ -153,7 +154,10 @@ impl EventTrace {
                 recorder.stand(visit.origin);
                 let state = recorder.state_after(visit);
                 recorder.keep(TraceEvent::Done(state));
-            } else if visit.ran + 1 == after {
+                return;
+            }
+            recorder.follow_frame(visit.output);
+            if visit.ran + 1 == after {
                 let state = recorder.state_after(visit);
                 recorder.trace.unmoved = state.unmoved;
                 recorder.trace.begin = Some(state.kept);
@@ -228,6 +232,8 @@ struct EventRecorder<'j> {
     last: (u32, u32),
     line: u32,
     has_ended: bool,
+    /// Coordinates are those of the part: a tilted plane, or tool centre point control.
+    is_on_part: bool,
     state: Option<Rc<KeptState>>,
     trace: EventTrace,
 }
@@ -246,6 +252,15 @@ impl EventRecorder<'_> {
         }
     }
 
+    /// Follows the frame of the part where nothing is kept yet.
+    fn follow_frame(&mut self, output: &BlockOutput) {
+        for command in &output.commands {
+            if let CommandKind::PartFrame { frame, .. } = &command.kind {
+                self.is_on_part = frame.is_some();
+            }
+        }
+    }
+
     /// Alarms come before what their block does.
     fn keep_output(&mut self, output: &BlockOutput) {
         for diagnostic in output.diagnostics.iter().filter(|one| one.severity == Severity::Error) {
@@ -261,12 +276,16 @@ impl EventRecorder<'_> {
             }
             // In a tilted plane a rapid to where the tip stands may be what rounding leaves.
             if let CommandKind::Rapid { motion, .. } = &command.kind
+                && self.is_on_part
                 && motion.from_known == motion.to_known
                 && same_place(&motion.from, &motion.to, AxisMask::ALL, AxisMask::NONE)
             {
                 continue;
             }
             self.has_ended |= command.kind == CommandKind::End;
+            if let CommandKind::PartFrame { frame, .. } = &command.kind {
+                self.is_on_part = frame.is_some();
+            }
             self.stand(&command.origin);
             self.trace.moves += u64::from(command.kind.motion().is_some());
             self.keep(match &command.kind {
