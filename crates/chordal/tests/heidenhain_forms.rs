@@ -80,9 +80,12 @@ fn without_remark(line: &str) -> &str {
     line.split(';').next().unwrap_or("").trim_end()
 }
 
+/// A program in another form.
+type WrittenForm = fn(&str) -> String;
+
 #[test]
 fn other_forms_do_the_same() {
-    let forms: [(&str, fn(&str) -> String); 6] = [
+    let forms: [(&str, WrittenForm); 6] = [
         ("without block numbers", |text| {
             text.lines().map(|line| format!("{}\n", without_number(line))).collect()
         }),

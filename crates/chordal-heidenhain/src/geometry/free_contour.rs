@@ -89,7 +89,13 @@ pub fn solve_free_contour(
     let mut points = vec![None; values.len() + 1];
     points[0] = Some(start);
     let mut chain = FreeChain { values, pole, entry, points, carriers: vec![None; values.len()] };
-    while (0..values.len()).fold(false, |found, index| chain.advance(index) || found) {}
+    let mut has_more = true;
+    while has_more {
+        has_more = false;
+        for index in 0..values.len() {
+            has_more |= chain.advance(index);
+        }
+    }
     chain.solved(tolerance_mm)
 }
 
