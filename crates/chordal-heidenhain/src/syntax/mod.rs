@@ -14,6 +14,7 @@ mod labels;
 mod operands;
 mod parser;
 mod plain_line;
+mod plane_words;
 mod planes;
 mod reader;
 mod statements;

@@ -12,7 +12,7 @@ use super::free_contours::free_contour;
 use super::functions::{assignment, numbered_function};
 use super::labels::label_name;
 use super::operands::{OperandWord, ParameterBank, WordOperand};
-use super::planes::plane_words;
+use super::plane_words::plane_words;
 use super::tokens::{KlartextToken, KlartextTokenKind};
 use super::words::{function_word, path_words, take_feed, unread_token};
 
