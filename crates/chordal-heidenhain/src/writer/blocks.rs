@@ -1,9 +1,11 @@
 //! What is active in the program that is written, and the blocks so far.
 
 use chordal_command::{CompensationSide, Coolant, FeedMode, SpindleState};
-use chordal_kernel::{PostedProgram, WriterNote, WriterOptions, WrittenLine, WrittenProgram};
+use chordal_kernel::{
+    PostedProgram, WriterNote, WriterOptions, WrittenLengths, WrittenLine, WrittenProgram,
+};
 
-use super::words::KlartextLengths;
+use super::words::unit_name;
 use crate::settings::HeidenhainSettings;
 
 /// Old controls take two M functions in a block.
@@ -42,7 +44,7 @@ pub(super) struct KlartextBlocks<'a> {
     /// The step that is written.
     pub step: usize,
     pub written: WrittenProgram,
-    pub lengths: KlartextLengths,
+    pub lengths: WrittenLengths,
     pub feed: Option<String>,
     pub feed_mode: DesiredMode<FeedMode>,
     /// The preset by its line, which is the number of the work offset.
@@ -88,7 +90,7 @@ impl<'a> KlartextBlocks<'a> {
             program,
             step: 0,
             written: WrittenProgram::default(),
-            lengths: KlartextLengths { units: start.units, digits: options.digits },
+            lengths: WrittenLengths { units: start.units, digits: options.digits },
             feed: None,
             feed_mode: DesiredMode { desired: start.feed_mode, written: FeedMode::PerTime },
             preset: DesiredMode::new(start.work),
@@ -112,7 +114,7 @@ impl<'a> KlartextBlocks<'a> {
 
     /// The first blocks: the name, the unit, and the preset that the program begins with.
     pub fn begin(&mut self) {
-        self.frame_line(format!("BEGIN PGM {} {}", self.name(), self.lengths.name()));
+        self.frame_line(format!("BEGIN PGM {} {}", self.name(), unit_name(self.lengths.units)));
         if self.program.start.work > 0 {
             self.frame_line(preset_block(self.program.start.work));
         }
@@ -121,7 +123,7 @@ impl<'a> KlartextBlocks<'a> {
     /// What is still to be written at the end.
     pub fn finish(&mut self) {
         self.flush();
-        self.frame_line(format!("END PGM {} {}", self.name(), self.lengths.name()));
+        self.frame_line(format!("END PGM {} {}", self.name(), unit_name(self.lengths.units)));
     }
 
     fn frame_line(&mut self, text: String) {

@@ -9,7 +9,7 @@ use chordal_kernel::{
 };
 
 use super::blocks::KlartextBlocks;
-use super::words::{signed, significant};
+use super::words::{feed_unit, signed, significant};
 use crate::cycles::{
     CycleContext, CycleFeed, CycleValues, KlartextCycleStep, parameter_cycle_steps,
 };
@@ -289,7 +289,8 @@ impl KlartextBlocks<'_> {
     fn makes(&self, cycle: &CycleDefinition, hole: &DrilledHole) -> bool {
         let unit_mm = self.lengths.units.mm();
         let numbers: BTreeMap<u32, f64> = cycle.values.iter().copied().collect();
-        let values = CycleValues::new(numbers, BTreeMap::new(), unit_mm, self.lengths.feed_unit());
+        let values =
+            CycleValues::new(numbers, BTreeMap::new(), unit_mm, feed_unit(self.lengths.units));
         let context = CycleContext {
             level: hole.initial_mm,
             position: [0.0; 2],

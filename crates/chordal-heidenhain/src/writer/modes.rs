@@ -1,12 +1,10 @@
 //! Commands that do not move: tools, spindle, coolant, modes, dwells and stops.
 
-use chordal_command::{
-    CommandKind, CompensationSide, Coolant, Effect, FeedMode, PathMode, SpindleState,
-};
-use chordal_kernel::PostedKind;
+use chordal_command::{CommandKind, CompensationSide, Coolant, FeedMode, PathMode, SpindleState};
+use chordal_kernel::{CoolantChange, PostedKind, time_number, written_effect};
 
 use super::blocks::KlartextBlocks;
-use super::words::{seconds, significant};
+use super::words::significant;
 
 /// The largest line of a preset table.
 const MAX_PRESET: u32 = 9999;
@@ -21,7 +19,7 @@ impl KlartextBlocks<'_> {
             CommandKind::Dwell { seconds: time, .. } => {
                 if *time > 0.0 {
                     self.alone("CYCL DEF 9.0 DWELL TIME");
-                    self.line(format!("CYCL DEF 9.1 DWELL {}", seconds(*time)));
+                    self.line(format!("CYCL DEF 9.1 DWELL {}", time_number(*time)));
                 }
                 Ok(())
             }
@@ -79,7 +77,12 @@ impl KlartextBlocks<'_> {
                 Ok(())
             }
             CommandKind::WorkOffset { name, turned, .. } => self.work(name.ordinal(), *turned),
-            CommandKind::Effect(effect) => self.effect(effect),
+            CommandKind::Effect(effect) => {
+                if let Some(note) = written_effect(effect)? {
+                    self.note("", note);
+                }
+                Ok(())
+            }
             CommandKind::CornerArc { .. } => Err("a programmed corner arc (G39)".into()),
             CommandKind::CornerMode { meets } => {
                 self.meets_corner = *meets;
@@ -157,14 +160,7 @@ impl KlartextBlocks<'_> {
 
     /// A tool that is made ready, unless its change comes at once.
     fn prepare_tool(&mut self, number: u32) {
-        let rest = self.program.steps.get(self.step + 1..).unwrap_or_default();
-        let next = rest.iter().find_map(|step| match &step.kind {
-            PostedKind::Command(CommandKind::Tool { number }) => Some(*number),
-            PostedKind::Command(command) if command.motion().is_none() => None,
-            // A move comes before the next change.
-            _ => Some(u32::MAX),
-        });
-        if next != Some(number) && number > 0 {
+        if number > 0 && !self.program.changes_tool_next(self.step, number) {
             self.alone(format!("TOOL DEF {number}"));
         }
     }
@@ -232,14 +228,14 @@ impl KlartextBlocks<'_> {
             return Err("coolant through the tool: its M function is the builder's".into());
         }
         let before = std::mem::replace(&mut self.coolant, coolant);
-        let closes = before.mist && !coolant.mist || before.flood && !coolant.flood;
-        if closes {
+        let change = CoolantChange::between(before, coolant);
+        if change.closes {
             self.alone("M9");
         }
-        if coolant.mist && (closes || !before.mist) {
+        if change.opens_mist {
             self.wait("M7");
         }
-        if coolant.flood && (closes || !before.flood) {
+        if change.opens_flood {
             self.wait("M8");
         }
         Ok(())
@@ -261,21 +257,5 @@ impl KlartextBlocks<'_> {
         }
         self.preset.desired = ordinal;
         Ok(())
-    }
-
-    fn effect(&mut self, effect: &Effect) -> Result<(), String> {
-        match effect {
-            Effect::Code(words) => {
-                self.note("", format!("{words} is left out: its code is the builder's here"));
-                Ok(())
-            }
-            // Variables of the old control have no place on this one.
-            Effect::Variable { .. } => Ok(()),
-            Effect::Written { name, .. } => {
-                Err(format!("a value that the control keeps is written ({name})"))
-            }
-            Effect::Alarm { .. } => Err("the program stops itself with an alarm".into()),
-            Effect::Deletable { .. } => Err("a block that block delete may leave out".into()),
-        }
     }
 }

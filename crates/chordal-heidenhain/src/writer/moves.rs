@@ -9,7 +9,7 @@ use chordal_geometry::Plane;
 use chordal_machine::AXES;
 
 use super::blocks::{KlartextBlocks, preset_block};
-use super::words::{degrees, plain, signed, significant};
+use super::words::{degrees, feed_unit, signed, signed_length, significant};
 use crate::syntax::AXIS_WORDS;
 
 /// The axis of the tool length.
@@ -130,7 +130,7 @@ impl KlartextBlocks<'_> {
             .into_iter()
             .zip(center)
             .map(|(axis, value)| {
-                (axis, format!("{}{}", AXIS_WORDS[axis], self.lengths.text(value)))
+                (axis, format!("{}{}", AXIS_WORDS[axis], signed_length(self.lengths, value)))
             })
             .collect();
         words.sort();
@@ -162,7 +162,7 @@ impl KlartextBlocks<'_> {
         };
         let mut words = vec!["CP".to_string(), format!("IPA{}", signed(angle, TURN_DIGITS))];
         if rise != 0.0 {
-            words.push(format!("I{}{}", AXIS_WORDS[normal], self.lengths.text(rise)));
+            words.push(format!("I{}{}", AXIS_WORDS[normal], signed_length(self.lengths, rise)));
         }
         words
     }
@@ -191,7 +191,7 @@ impl KlartextBlocks<'_> {
     }
 
     fn axis_word(&self, axis: usize, place: f64) -> String {
-        let value = if axis < 3 { self.lengths.text(place) } else { degrees(place) };
+        let value = if axis < 3 { signed_length(self.lengths, place) } else { degrees(place) };
         format!("{}{value}", AXIS_WORDS[axis])
     }
 
@@ -206,9 +206,8 @@ impl KlartextBlocks<'_> {
             self.cycle = None;
         }
         if let Some(tolerance) = self.tolerance.take() {
-            let value = tolerance.map_or_else(String::new, |mm| {
-                format!(" T{}", plain(mm / self.lengths.units.mm(), self.lengths.digits()))
-            });
+            let value =
+                tolerance.map_or_else(String::new, |mm| format!(" T{}", self.lengths.text(mm)));
             self.line("CYCL DEF 32.0 TOLERANCE");
             self.line(format!("CYCL DEF 32.1{value}"));
         }
@@ -273,15 +272,15 @@ impl KlartextBlocks<'_> {
     /// F in its unit, along the path; `length` of the move, mm.
     fn feed_value(&self, feed: &Feed, length: f64) -> f64 {
         match feed.mode {
-            FeedMode::PerTime => feed.value / self.lengths.feed_unit(),
+            FeedMode::PerTime => feed.value / feed_unit(self.lengths.units),
             FeedMode::PerRevolution => feed.value / self.lengths.units.mm(),
-            FeedMode::InverseTime => feed.value * length / self.lengths.feed_unit(),
+            FeedMode::InverseTime => feed.value * length / feed_unit(self.lengths.units),
         }
     }
 
     /// F of a cycle, in its unit.
     pub fn cycle_feed(&self, value: f64) -> f64 {
-        value / self.lengths.feed_unit()
+        value / feed_unit(self.lengths.units)
     }
 
     /// What F of a helix is multiplied by: this control measures it along the path.

@@ -23,6 +23,7 @@ mod programs;
 mod recognition;
 mod run_options;
 mod tokens;
+mod written_words;
 
 pub use configured_control::{ConfiguredControl, ControlProfile};
 pub use custom_codes::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
@@ -40,3 +41,6 @@ pub use recognition::{
 };
 pub use run_options::{InterruptCheck, RunOptions};
 pub use tokens::{TextSymbol, Token, TokenClass, WordCompletion};
+pub use written_words::{
+    CoolantChange, WrittenLengths, plain_number, significant_number, time_number, written_effect,
+};

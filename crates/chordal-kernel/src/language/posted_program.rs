@@ -17,6 +17,21 @@ pub struct PostedProgram {
     pub steps: Vec<PostedStep>,
 }
 
+impl PostedProgram {
+    /// Whether the change to a tool comes after a step before anything moves.
+    pub fn changes_tool_next(&self, step: usize, tool: u32) -> bool {
+        let rest = self.steps.get(step + 1..).unwrap_or_default();
+        let first = rest.iter().find(|step| match &step.kind {
+            PostedKind::Command(CommandKind::Tool { .. }) => true,
+            PostedKind::Command(command) => command.motion().is_some(),
+            PostedKind::MachineMove { .. } | PostedKind::Hole(_) | PostedKind::Tap(_) => true,
+        });
+        first.is_some_and(|step| {
+            matches!(step.kind, PostedKind::Command(CommandKind::Tool { number }) if number == tool)
+        })
+    }
+}
+
 /// What is active at the first step of a program.
 #[derive(Clone, Copy, Debug)]
 pub struct StartingModes {

@@ -2,9 +2,10 @@
 
 use chordal_command::{CompensationSide, Coolant, FeedMode, PathMode, SpindleState, Units};
 use chordal_geometry::Plane;
-use chordal_kernel::{PostedProgram, WriterNote, WriterOptions, WrittenLine, WrittenProgram};
+use chordal_kernel::{
+    PostedProgram, WriterNote, WriterOptions, WrittenLengths, WrittenLine, WrittenProgram,
+};
 
-use super::words::LengthWords;
 use crate::settings::SinumerikSettings;
 
 /// The motion that is active.
@@ -33,7 +34,7 @@ pub(super) struct BlockWriter<'a> {
     /// The step that is written.
     pub step: usize,
     pub written: WrittenProgram,
-    pub lengths: LengthWords,
+    pub lengths: WrittenLengths,
     pub motion: Option<WrittenMotion>,
     pub feed: Option<String>,
     pub feed_mode: FeedMode,
@@ -77,7 +78,7 @@ impl<'a> BlockWriter<'a> {
             program,
             step: 0,
             written: WrittenProgram::default(),
-            lengths: LengthWords { units: start.units, digits: options.digits },
+            lengths: WrittenLengths { units: start.units, digits: options.digits },
             motion: None,
             feed: None,
             feed_mode: start.feed_mode,

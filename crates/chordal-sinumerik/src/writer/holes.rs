@@ -1,10 +1,11 @@
 //! Drilling cycles: kept where they make the same moves as the hole.
 
 use chordal_command::{CommandKind, SpindleState};
-use chordal_kernel::{DrilledHole, HoleForm, HoleMotion, PostedKind, TappedHole, are_same_motions};
+use chordal_kernel::{
+    DrilledHole, HoleForm, HoleMotion, PostedKind, TappedHole, are_same_motions, plain_number,
+};
 
 use super::block_writer::{BlockWriter, WordGroup};
-use super::words::plain;
 use crate::cycles::{CycleArguments, HoleContext, HoleStep, drilling_moves};
 
 /// The number of arguments before DTB, which all drilling cycles share: RTP, RFP, SDIS, DP, DPR.
@@ -31,7 +32,7 @@ impl CycleWords {
 
     fn text(&self) -> String {
         let argument =
-            |value: &Option<f64>| value.map_or_else(String::new, |value| plain(value, 6));
+            |value: &Option<f64>| value.map_or_else(String::new, |value| plain_number(value, 6));
         let arguments: Vec<String> = self.arguments.iter().map(argument).collect();
         format!("{}({})", self.name, arguments.join(","))
     }

@@ -1,14 +1,15 @@
 //! Commands that do not move: tools, spindle, coolant, modes, dwells and stops.
 
 use chordal_command::{
-    CommandKind, CompensationSide, Coolant, Effect, FeedMode, PathMode, SpindleState, Units,
+    CommandKind, CompensationSide, Coolant, FeedMode, PathMode, SpindleState, Units,
 };
 use chordal_geometry::Plane;
+use chordal_kernel::{CoolantChange, time_number, written_effect};
 
 use super::block_writer::{
     BlockWriter, WordGroup, feed_mode_code, plane_code, units_code, work_code,
 };
-use super::words::{seconds, significant};
+use super::words::significant;
 
 /// The largest number of a settable frame: G599.
 const MAX_WORK: u32 = 99;
@@ -29,7 +30,7 @@ impl BlockWriter<'_> {
             }
             CommandKind::Dwell { seconds: time, .. } => {
                 if *time > 0.0 {
-                    self.alone(format!("G4 F{}", seconds(*time)));
+                    self.alone(format!("G4 F{}", time_number(*time)));
                 }
                 Ok(())
             }
@@ -88,7 +89,12 @@ impl BlockWriter<'_> {
                 Ok(())
             }
             CommandKind::WorkOffset { name, turned, .. } => self.work(name.ordinal(), *turned),
-            CommandKind::Effect(effect) => self.effect(effect),
+            CommandKind::Effect(effect) => {
+                if let Some(note) = written_effect(effect)? {
+                    self.note("", note);
+                }
+                Ok(())
+            }
             CommandKind::CornerArc { .. } => Err("a programmed corner arc (G39)".into()),
             CommandKind::CornerMode { meets } => {
                 self.alone(if *meets { "G451" } else { "G450" });
@@ -123,14 +129,8 @@ impl BlockWriter<'_> {
 
     /// A tool that is brought into position, unless its change comes at once.
     fn prepare_tool(&mut self, number: u32) {
-        let rest = self.program.steps.get(self.step + 1..).unwrap_or_default();
-        let next = rest.iter().find_map(|step| match &step.kind {
-            chordal_kernel::PostedKind::Command(CommandKind::Tool { number }) => Some(*number),
-            chordal_kernel::PostedKind::Command(command) if command.motion().is_none() => None,
-            // A move comes before the next change.
-            _ => Some(u32::MAX),
-        });
-        if next != Some(number) && self.settings.tool_change_by_m6 {
+        let is_next = self.program.changes_tool_next(self.step, number);
+        if self.settings.tool_change_by_m6 && !is_next {
             self.alone(format!("T{number}"));
         }
     }
@@ -209,14 +209,14 @@ impl BlockWriter<'_> {
             return Err("coolant through the tool: its code is the builder's".into());
         }
         let before = std::mem::replace(&mut self.coolant, coolant);
-        let closes = before.mist && !coolant.mist || before.flood && !coolant.flood;
-        if closes {
+        let change = CoolantChange::between(before, coolant);
+        if change.closes {
             self.alone("M9");
         }
-        if coolant.mist && (closes || !before.mist) {
+        if change.opens_mist {
             self.alone("M7");
         }
-        if coolant.flood && (closes || !before.flood) {
+        if change.opens_flood {
             self.alone("M8");
         }
         Ok(())
@@ -284,22 +284,6 @@ impl BlockWriter<'_> {
             self.wait(WordGroup::Work, work_code(ordinal));
         }
         Ok(())
-    }
-
-    fn effect(&mut self, effect: &Effect) -> Result<(), String> {
-        match effect {
-            Effect::Code(words) => {
-                self.note("", format!("{words} is left out: its code is the builder's here"));
-                Ok(())
-            }
-            // Variables of the old control have no place on this one.
-            Effect::Variable { .. } => Ok(()),
-            Effect::Written { name, .. } => {
-                Err(format!("a value that the control keeps is written ({name})"))
-            }
-            Effect::Alarm { .. } => Err("the program stops itself with an alarm".into()),
-            Effect::Deletable { .. } => Err("a block that block delete may leave out".into()),
-        }
     }
 
     /// The edge for a move along the tool's axis; `None` where it is active.
