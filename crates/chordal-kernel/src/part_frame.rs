@@ -343,7 +343,7 @@ impl Kernel<'_> {
     }
 
     /// Makes moves of the axes themselves, such as to a reference point, outside of a frame that is in force.
-    pub(crate) fn by_axes(&mut self, moves: impl FnOnce(&mut Self)) {
+    pub fn by_axes(&mut self, moves: impl FnOnce(&mut Self)) {
         let frame = self.suspend_part_frame();
         moves(self);
         match frame {

@@ -6,11 +6,12 @@ use chordal_dialect::{Action, CodeGroup, CodeRow, OnceCode, code_number};
 use chordal_geometry::{Plane, Vec3};
 use chordal_kernel::PolarWords;
 use chordal_kernel::frames::ScaleFactors;
+use chordal_kernel::frames::plane_forms;
 use chordal_machine::AXES;
 use chordal_syntax::{Block, Letters};
 
+use super::Interpreter;
 use super::literals::AXIS_OF;
-use super::{Interpreter, plane_forms};
 
 impl Interpreter<'_> {
     /// G68: a centre on the axes of the plane, and the angle R.

@@ -29,7 +29,6 @@ mod modes;
 mod motion;
 mod offsets;
 mod path_modes;
-mod plane_forms;
 mod pocket;
 mod polar;
 mod reference;

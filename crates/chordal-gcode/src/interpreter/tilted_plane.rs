@@ -4,10 +4,11 @@ use chordal_command::CompensationSide;
 use chordal_diagnostics::{Code, Diagnostic, Span};
 use chordal_dialect::{CodeRow, TiltedPlaneCode};
 use chordal_geometry::{Transform, Vec3};
+use chordal_kernel::frames::plane_forms;
 use chordal_kernel::{AngleSign, TurnError};
 use chordal_syntax::Block;
 
-use super::{Interpreter, plane_forms};
+use super::Interpreter;
 
 /// The number of X, Y and Z, which are the origin of a plane.
 const LINEAR_AXES: usize = 3;

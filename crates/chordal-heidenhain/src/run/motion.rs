@@ -187,14 +187,14 @@ impl KlartextInterpreter<'_> {
         let turns_alone = named.and(AxisMask::LINEAR) == AxisMask::NONE && !self.follows_tip();
         if turns_alone && self.modes.outside_plane.is_some() {
             // The rotary axes turn to the plane, and the others stand.
-            self.by_rotary_axes(|own| {
-                let mut target = own.kernel.state.position;
+            let view = KlartextView { span: self.span(self.here), words: Some(words) };
+            self.kernel.by_axes(|kernel| {
+                let mut target = kernel.state.position;
                 target[3..].copy_from_slice(&end[3..]);
-                let view = KlartextView { span: own.span(own.here), words: Some(words) };
-                own.kernel.state.motion =
+                kernel.state.motion =
                     if is_rapid { ModalMotion::Rapid } else { ModalMotion::Linear };
-                own.kernel.state.place(named);
-                own.kernel.straight(&view, target, named);
+                kernel.state.place(named);
+                kernel.straight(&view, target, named);
             });
             return;
         }

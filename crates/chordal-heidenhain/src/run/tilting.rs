@@ -2,53 +2,31 @@
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, TextRange};
-use chordal_geometry::{Transform, Vec3};
+use chordal_geometry::{Frame, Transform, Vec3};
+use chordal_kernel::frames::plane_forms;
 use chordal_kernel::{AngleSign, TurnError};
 
 use super::interpreter::KlartextInterpreter;
 use super::transformations::CoordinateChain;
 use crate::syntax::{OperandWord, PlaneForm, PlanePositioning, PlaneWords};
 
+/// A vector, or its part across another one, that is shorter has no direction.
+const LEAST_LENGTH: f64 = 1e-9;
+
 /// The rotation of three spatial angles, degrees: about X first, then Y, then Z, each about the axes before the rotation
 /// (R = Rz·Ry·Rx).
-pub fn spatial_rotation(degrees: [f64; 3]) -> Transform {
-    let turn = |axis: Vec3, degrees: f64| {
-        Transform::rotation_about(Vec3::ZERO, axis, degrees.to_radians())
-    };
-    let [a, b, c] = degrees;
-    turn(Vec3::X, a).then(&turn(Vec3::Y, b)).then(&turn(Vec3::Z, c))
-}
-
-/// The rotation of Euler angles, degrees: about Z, then about the new X, then about the new Z (R = Rz·Rx·Rz).
-pub fn euler_rotation(precession: f64, nutation: f64, rotation: f64) -> Transform {
-    let turn = |axis: Vec3, degrees: f64| {
-        Transform::rotation_about(Vec3::ZERO, axis, degrees.to_radians())
-    };
-    turn(Vec3::Z, rotation).then(&turn(Vec3::X, nutation)).then(&turn(Vec3::Z, precession))
+fn spatial_rotation(degrees: [f64; 3]) -> Transform {
+    plane_forms::about_fixed_axes(degrees.map(f64::to_radians), [0, 1, 2])
 }
 
 /// The rotation whose new Z is along a normal and whose new X is a base vector made perpendicular to it; `None` if they
 /// are parallel or zero.
-pub fn vector_rotation(base: [f64; 3], normal: [f64; 3]) -> Option<Transform> {
-    let [base, normal] = [base, normal].map(Vec3::from_array);
+fn vector_rotation(base: Vec3, normal: Vec3) -> Option<Transform> {
     let length = normal.length();
-    if length < 1e-9 {
+    if length < LEAST_LENGTH || base.cross(normal).length() < LEAST_LENGTH * length {
         return None;
     }
-    let z = normal * (1.0 / length);
-    let across = base - z * base.dot(z);
-    if across.length() < 1e-9 {
-        return None;
-    }
-    let x = across * (1.0 / across.length());
-    // First Z goes to the new Z by the spherical angles, then X about it to the new X.
-    let tilt = libm::atan2(libm::hypot(z.x, z.y), z.z);
-    let turn = libm::atan2(z.y, z.x);
-    let to_normal = Transform::rotation_about(Vec3::ZERO, Vec3::Y, tilt)
-        .then(&Transform::rotation_about(Vec3::ZERO, Vec3::Z, turn));
-    let from = to_normal.apply_vector(Vec3::X);
-    let angle = libm::atan2(z.dot(from.cross(x)), from.dot(x));
-    Some(to_normal.then(&Transform::rotation_about(Vec3::ZERO, z, angle)))
+    Frame::from_normal(Vec3::ZERO, normal, base).map(Transform::from_frame)
 }
 
 impl KlartextInterpreter<'_> {
@@ -75,7 +53,7 @@ impl KlartextInterpreter<'_> {
                     let message = "PLANE EULER lacks one of EULPR, EULNU and EULROT";
                     return self.problem(Code::MissingWord, range, message);
                 };
-                Some(euler_rotation(precession, nutation, rotation))
+                Some(plane_forms::euler([precession, nutation, rotation].map(f64::to_radians)))
             }
             PlaneForm::Points => match self.rotation_of_points(words) {
                 Some(rotation) => Some(rotation),
@@ -84,7 +62,8 @@ impl KlartextInterpreter<'_> {
             PlaneForm::Relative => Some(self.rotation_in_plane(words)),
             PlaneForm::Vector => {
                 let [base, normal] = [words.base, words.normal]
-                    .map(|vector| vector.map(|word| self.plane_value(word).unwrap_or(0.0)));
+                    .map(|vector| vector.map(|word| self.plane_value(word).unwrap_or(0.0)))
+                    .map(Vec3::from_array);
                 let Some(rotation) = vector_rotation(base, normal) else {
                     let message = "the vectors of PLANE are parallel, or one of them is zero";
                     return self.problem(Code::TiltedPlane, range, message);
@@ -120,7 +99,7 @@ impl KlartextInterpreter<'_> {
         }
         let [first, second, third] = points;
         let (along, aside) = (second - first, third - first);
-        let found = vector_rotation(along.to_array(), along.cross(aside).to_array());
+        let found = vector_rotation(along, along.cross(aside));
         if found.is_none() {
             let message = "the three points of PLANE lie on a line";
             self.problem(Code::TiltedPlane, range, message);
@@ -260,18 +239,6 @@ impl KlartextInterpreter<'_> {
         }
     }
 
-    /// Makes moves of the rotary axes alone outside of a tilted plane, which stays.
-    pub(super) fn by_rotary_axes(&mut self, moves: impl FnOnce(&mut Self)) {
-        let plane = self.kernel.tilted_plane();
-        if plane.is_some() {
-            self.kernel.set_tilted_plane(None);
-        }
-        moves(self);
-        if plane.is_some() {
-            self.kernel.set_tilted_plane(plane);
-        }
-    }
-
     /// M128 and FUNCTION TCPM: the tip goes where the program says while rotary axes turn.
     pub(super) fn tool_center_point(&mut self, is_on: bool, range: TextRange, name: &str) {
         if !is_on {
@@ -349,13 +316,13 @@ mod tests {
         let [x, z] = [Vec3::X, Vec3::Z].map(|axis| rotation.apply_vector(axis));
         // The base vector need not be perpendicular to the normal.
         let base = x + z * 0.3;
-        let found = vector_rotation([base.x, base.y, base.z], [2.0 * z.x, 2.0 * z.y, 2.0 * z.z]);
+        let found = vector_rotation(base, z * 2.0);
         let found = found.expect("a rotation");
         for axis in [Vec3::X, Vec3::Y, Vec3::Z] {
             let expected = rotation.apply_vector(axis);
             near(found.apply_vector(axis), [expected.x, expected.y, expected.z]);
         }
-        assert!(vector_rotation([0.0, 0.0, 1.0], [0.0, 0.0, 1.0]).is_none());
+        assert!(vector_rotation(Vec3::Z, Vec3::Z).is_none());
     }
 
     fn assert_same(one: &Transform, other: &Transform) {
@@ -369,20 +336,21 @@ mod tests {
     fn forms_of_one_plane_are_the_same_rotation() {
         // Tilted by 30 degrees about X, then turned by 90 degrees about Z.
         let spatial = spatial_rotation([30.0, 0.0, 90.0]);
-        assert_same(&spatial, &euler_rotation(90.0, 30.0, 0.0));
+        let euler = plane_forms::euler([90.0, 30.0, 0.0].map(f64::to_radians));
+        assert_same(&spatial, &euler);
         let (sin, cos) = (0.5, 0.75_f64.sqrt());
-        let normal = [sin, 0.0, cos];
-        let vectors = vector_rotation([0.0, 2.0, 0.0], normal).expect("a rotation");
+        let normal = Vec3::new(sin, 0.0, cos);
+        let vectors = vector_rotation(Vec3::new(0.0, 2.0, 0.0), normal).expect("a rotation");
         assert_same(&spatial, &vectors);
         // The third point is on the side of the new Y, (-cos 30, 0, sin 30).
         let (along, aside) = (Vec3::new(0.0, 5.0, 0.0), Vec3::new(-cos, 3.0, sin));
-        let points = vector_rotation(along.to_array(), along.cross(aside).to_array());
+        let points = vector_rotation(along, along.cross(aside));
         assert_same(&spatial, &points.expect("a rotation"));
     }
 
     #[test]
     fn parallel_vectors_are_no_plane() {
-        assert!(vector_rotation([0.0, 0.0, 1.0], [0.0, 0.0, 2.0]).is_none());
-        assert!(vector_rotation([1.0, 0.0, 0.0], [0.0; 3]).is_none());
+        assert!(vector_rotation(Vec3::Z, Vec3::Z * 2.0).is_none());
+        assert!(vector_rotation(Vec3::X, Vec3::ZERO).is_none());
     }
 }

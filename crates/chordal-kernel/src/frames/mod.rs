@@ -7,6 +7,7 @@
 
 mod commands;
 mod map;
+pub mod plane_forms;
 mod polar;
 
 use chordal_command::{AxisMask, Position};

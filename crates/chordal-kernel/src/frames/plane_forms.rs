@@ -12,12 +12,12 @@ const SQUARE_TOLERANCE_DEG: f64 = 5.0;
 const PARALLEL_RAD: f64 = 1e-9;
 
 /// Euler angles: about Z, then about the new X, then about the new Z (Fanuc B-63944EN, G68.2).
-pub(super) fn euler([first, second, third]: [f64; 3]) -> Transform {
+pub fn euler([first, second, third]: [f64; 3]) -> Transform {
     turn(Vec3::Z, third).then(&turn(Vec3::X, second)).then(&turn(Vec3::Z, first))
 }
 
 /// Angles about axes that stay where they are, in an order.
-pub(super) fn about_fixed_axes(angles: [f64; 3], order: [usize; 3]) -> Transform {
+pub fn about_fixed_axes(angles: [f64; 3], order: [usize; 3]) -> Transform {
     order.into_iter().fold(Transform::identity(), |rotation, axis| {
         rotation.then(&turn(AXES_OF_ANGLES[axis], angles[axis]))
     })
@@ -25,7 +25,7 @@ pub(super) fn about_fixed_axes(angles: [f64; 3], order: [usize; 3]) -> Transform
 
 /// X lies at the first angle about Y, a second direction at the second one about X; then the plane turns about its normal
 /// by the third. `None` where both directions are one.
-pub(super) fn two_projections([first, second, third]: [f64; 3]) -> Option<Transform> {
+pub fn two_projections([first, second, third]: [f64; 3]) -> Option<Transform> {
     let along = turn(Vec3::Y, first).apply_direction(Vec3::X);
     let across = turn(Vec3::X, second).apply_direction(Vec3::Y);
     let normal = along.cross(across);
@@ -35,7 +35,7 @@ pub(super) fn two_projections([first, second, third]: [f64; 3]) -> Option<Transf
 
 /// The origin is the first point, X goes to the second, and the third lies on the side of Y. `None` where they lie on a
 /// line.
-pub(super) fn through_points([origin, on_x, on_y]: [Vec3; 3]) -> Option<Transform> {
+pub fn through_points([origin, on_x, on_y]: [Vec3; 3]) -> Option<Transform> {
     let along = (on_x - origin).normalized()?;
     let across = (on_y - origin).normalized()?;
     let normal = along.cross(across);
@@ -49,7 +49,7 @@ pub(super) fn through_points([origin, on_x, on_y]: [Vec3; 3]) -> Option<Transfor
 ///
 /// # Errors
 /// By how many degrees they miss a right angle, where that is too much; `None` for a vector of length 0.
-pub(super) fn by_vectors(origin: Vec3, [x, z]: [Vec3; 2]) -> Result<Transform, Option<f64>> {
+pub fn by_vectors(origin: Vec3, [x, z]: [Vec3; 2]) -> Result<Transform, Option<f64>> {
     let (x, z) = (x.normalized().ok_or(None)?, z.normalized().ok_or(None)?);
     let off_deg = x.dot(z).clamp(-1.0, 1.0).asin().abs().to_degrees();
     if off_deg >= SQUARE_TOLERANCE_DEG {
@@ -61,7 +61,7 @@ pub(super) fn by_vectors(origin: Vec3, [x, z]: [Vec3; 2]) -> Result<Transform, O
 
 /// The plane upright under a tool: its X is level, or that of the work coordinate system where the tool stands upright in
 /// it; then it turns about the tool by an angle (G68.3, with Z as the axis of reference).
-pub(super) fn under_tool(origin: Vec3, tool: Vec3, angle: f64) -> Option<Transform> {
+pub fn under_tool(origin: Vec3, tool: Vec3, angle: f64) -> Option<Transform> {
     let level = Vec3::Z.cross(tool);
     let along = if level.length() < PARALLEL_RAD { Vec3::X } else { level };
     let frame = Frame::from_normal(origin, tool, along)?;
@@ -69,13 +69,13 @@ pub(super) fn under_tool(origin: Vec3, tool: Vec3, angle: f64) -> Option<Transfo
 }
 
 /// A rotation by an angle about an axis through the new origin (G68 with I, J and K).
-pub(super) fn about_axis(origin: Vec3, axis: Vec3, angle: f64) -> Option<Transform> {
+pub fn about_axis(origin: Vec3, axis: Vec3, angle: f64) -> Option<Transform> {
     let axis = axis.normalized()?;
     Some(turn(axis, angle).then(&Transform::translation(origin)))
 }
 
 /// A shift and then a turn about the normal, in a plane (G68.2 P2 Q0).
-pub(super) fn shifted(plane: &Transform, by: Vec3, angle: f64) -> Transform {
+pub fn shifted(plane: &Transform, by: Vec3, angle: f64) -> Transform {
     turn(Vec3::Z, angle).then(&Transform::translation(by)).then(plane)
 }
 
