@@ -355,10 +355,7 @@ fn mill_bore(
     levels: &DrilledHoleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) -> Result<(), KlartextCycleFault> {
-    let Some(tool) = context.tool_radius else {
-        let message = "cycle 208 needs the radius of the tool, which is not given";
-        return Err(KlartextCycleFault::NotFollowed(message.into()));
-    };
+    let tool = context.needed_tool_radius(208)?;
     let radius = values.length(335) / 2.0 - tool;
     if radius < 0.0 {
         let message = format!(

@@ -36,6 +36,16 @@ impl OldCycle {
         let has_value = |line: &u32| self.data.lines.get(line).is_some_and(|own| !own.is_empty());
         (1..=count).filter(|line| !has_value(line)).collect()
     }
+
+    /// Every line must have a value.
+    ///
+    /// # Errors
+    /// The first line without one.
+    pub fn check_complete(&self) -> Result<(), KlartextCycleFault> {
+        let Some(line) = self.missing_lines().first().copied() else { return Ok(()) };
+        let message = format!("line {}.{line} of the cycle is missing", self.number);
+        Err(KlartextCycleFault::Incomplete(message))
+    }
 }
 
 /// The steps of an old cycle, which begins at the level where the tool is.
@@ -46,11 +56,7 @@ pub fn old_cycle_steps(
     cycle: &OldCycle,
     context: &CycleContext,
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
-    let missing = cycle.missing_lines();
-    if let Some(line) = missing.first() {
-        let message = format!("line {}.{line} of the cycle is missing", cycle.number);
-        return Err(KlartextCycleFault::Incomplete(message));
-    }
+    cycle.check_complete()?;
     let (clearance, depth) = (cycle.value(1), cycle.value(2));
     if depth == 0.0 {
         return Ok(Vec::new());

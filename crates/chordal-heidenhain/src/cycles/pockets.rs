@@ -59,13 +59,6 @@ fn too_large(tool: f64, width: f64) -> KlartextCycleFault {
     KlartextCycleFault::ToolTooLarge(message)
 }
 
-fn tool_radius(context: &CycleContext, number: u32) -> Result<f64, KlartextCycleFault> {
-    context.tool_radius.ok_or_else(|| {
-        let message = format!("cycle {number} needs the radius of the tool, which is not given");
-        KlartextCycleFault::NotFollowed(message)
-    })
-}
-
 /// The steps of cycle 251, 252, 253 or 254.
 ///
 /// # Errors
@@ -75,15 +68,8 @@ pub fn pocket_steps(
     values: &CycleValues,
     context: &CycleContext,
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
-    let depth = values.length(201);
-    if depth == 0.0 {
-        return Ok(Vec::new());
-    }
-    if depth > 0.0 {
-        let message = format!("the depth Q201 is {depth}: it is negative downwards");
-        return Err(KlartextCycleFault::BadValue(message));
-    }
-    let tool = tool_radius(context, number)?;
+    let Some(depth) = values.downward_depth()? else { return Ok(Vec::new()) };
+    let tool = context.needed_tool_radius(number)?;
     let surface = values.length(203);
     let clearance = surface + values.length(200);
     let allowance = values.length(368).max(0.0);
@@ -126,16 +112,12 @@ pub fn old_pocket_steps(
     cycle: &OldCycle,
     context: &CycleContext,
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
-    let missing = cycle.missing_lines();
-    if let Some(line) = missing.first() {
-        let message = format!("line {}.{line} of the cycle is missing", cycle.number);
-        return Err(KlartextCycleFault::Incomplete(message));
-    }
+    cycle.check_complete()?;
     let value = |line: u32, index: usize| {
         let values = cycle.data.lines.get(&line);
         values.and_then(|values| values.get(index)).copied().unwrap_or(0.0)
     };
-    let tool = tool_radius(context, cycle.number)?;
+    let tool = context.needed_tool_radius(cycle.number)?;
     let surface = context.level - value(1, 0).abs();
     let levels = PocketLevels {
         clearance: context.level,

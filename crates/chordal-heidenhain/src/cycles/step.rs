@@ -80,6 +80,19 @@ pub struct CycleContext {
     pub refuses_positive_depth: bool,
 }
 
+impl CycleContext {
+    /// The radius of the tool, without which a cycle is not carried out.
+    ///
+    /// # Errors
+    /// Where it is not known.
+    pub fn needed_tool_radius(&self, cycle: u32) -> Result<f64, KlartextCycleFault> {
+        self.tool_radius.ok_or_else(|| {
+            let message = format!("cycle {cycle} needs the radius of the tool, which is not given");
+            KlartextCycleFault::NotFollowed(message)
+        })
+    }
+}
+
 /// Why a cycle is not run.
 #[derive(Clone, PartialEq, Debug)]
 pub enum KlartextCycleFault {

@@ -41,18 +41,8 @@ pub fn thread_steps(
     values: &CycleValues,
     context: &CycleContext,
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
-    let depth = values.length(201);
-    if depth == 0.0 {
-        return Ok(Vec::new());
-    }
-    if depth > 0.0 {
-        let message = format!("the depth Q201 is {depth}: it is negative downwards");
-        return Err(KlartextCycleFault::BadValue(message));
-    }
-    let Some(tool) = context.tool_radius else {
-        let message = format!("cycle {number} needs the radius of the tool, which is not given");
-        return Err(KlartextCycleFault::NotFollowed(message));
-    };
+    let Some(depth) = values.downward_depth()? else { return Ok(Vec::new()) };
+    let tool = context.needed_tool_radius(number)?;
     let (nominal, pitch) = (values.length(335) / 2.0, values.length(239));
     let radius = nominal - tool;
     if radius <= 0.0 {

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::step::CycleFeed;
+use super::step::{CycleFeed, KlartextCycleFault};
 
 /// The values of a cycle's parameters.
 #[derive(Clone, Debug)]
@@ -48,6 +48,19 @@ impl CycleValues {
             }
             None => CycleFeed::Active,
         }
+    }
+
+    /// The depth Q201 of a cycle that works downwards alone, mm, negative; `None` for zero, with which it does nothing.
+    ///
+    /// # Errors
+    /// For a positive one.
+    pub fn downward_depth(&self) -> Result<Option<f64>, KlartextCycleFault> {
+        let depth = self.length(201);
+        if depth > 0.0 {
+            let message = format!("the depth Q201 is {depth}: it is negative downwards");
+            return Err(KlartextCycleFault::BadValue(message));
+        }
+        Ok(Some(depth).filter(|depth| *depth != 0.0))
     }
 
     /// The retraction feed of Q208; 0 is the plunging feed.

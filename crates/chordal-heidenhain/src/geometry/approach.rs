@@ -2,7 +2,7 @@
 
 use chordal_geometry::TurnDirection;
 
-use super::vectors::{distance, left_normal, turned_about};
+use super::vectors::{distance, left_normal, point_ahead, turned_about};
 use crate::syntax::KlartextApproachForm;
 
 /// What an approach or a departure is made of; the plane of compensation, mm.
@@ -65,7 +65,7 @@ impl ApproachRequest {
     }
 
     fn contact(&self) -> [f64; 2] {
-        along(self.point, self.normal(), self.tool_radius_mm)
+        point_ahead(self.point, self.normal(), self.tool_radius_mm)
     }
 
     /// The arc that is tangent to the contour at the offset point.
@@ -76,7 +76,7 @@ impl ApproachRequest {
         if is_wrong {
             return Err(ApproachFault::NoRadius);
         }
-        let center = along(self.contact(), self.normal(), radius);
+        let center = point_ahead(self.contact(), self.normal(), radius);
         let is_ccw = self.is_left == (radius > 0.0);
         let direction = if is_ccw { TurnDirection::Ccw } else { TurnDirection::Cw };
         Ok(ApproachArc { center, direction })
@@ -92,10 +92,10 @@ pub fn approach_path(request: &ApproachRequest) -> Result<ApproachPath, Approach
     let straight = |helper| Ok(ApproachPath { helper, contact, arc: None });
     match request.form {
         KlartextApproachForm::Tangent => {
-            straight(along(contact, request.direction, -request.length_mm))
+            straight(point_ahead(contact, request.direction, -request.length_mm))
         }
         KlartextApproachForm::Normal => {
-            straight(along(contact, request.normal(), request.length_mm))
+            straight(point_ahead(contact, request.normal(), request.length_mm))
         }
         KlartextApproachForm::Arc => {
             let arc = request.arc()?;
@@ -121,10 +121,10 @@ pub fn departure_path(request: &ApproachRequest) -> Result<ApproachPath, Approac
     let straight = |helper| Ok(ApproachPath { helper, contact, arc: None });
     match request.form {
         KlartextApproachForm::Tangent => {
-            straight(along(contact, request.direction, request.length_mm))
+            straight(point_ahead(contact, request.direction, request.length_mm))
         }
         KlartextApproachForm::Normal => {
-            straight(along(contact, request.normal(), request.length_mm))
+            straight(point_ahead(contact, request.normal(), request.length_mm))
         }
         KlartextApproachForm::Arc => {
             let arc = request.arc()?;
@@ -174,13 +174,9 @@ fn tangent_point(
     }
     let line = [(x * length + y * across) / squared, (y * length - x * across) / squared];
     Ok(match leg {
-        Leg::Arriving => along(outside, line, length),
-        Leg::Leaving => along(outside, line, -length),
+        Leg::Arriving => point_ahead(outside, line, length),
+        Leg::Leaving => point_ahead(outside, line, -length),
     })
-}
-
-fn along(point: [f64; 2], direction: [f64; 2], length: f64) -> [f64; 2] {
-    [point[0] + direction[0] * length, point[1] + direction[1] * length]
 }
 
 #[cfg(test)]

@@ -5,8 +5,9 @@
 //! Where two solutions are left, none is taken.
 
 use chordal_geometry::TurnDirection;
+use chordal_kernel::frames::sin_cos_degrees;
 
-use super::vectors::{COINCIDENT_POINTS_MM, distance, left_normal, unit_vector};
+use super::vectors::{COINCIDENT_POINTS_MM, distance, left_normal, point_ahead, unit_vector};
 
 /// Lines that differ by less are parallel: the sine of their angle.
 const PARALLEL_SINE: f64 = 1e-9;
@@ -99,10 +100,6 @@ pub fn solve_free_contour(
     chain.solved(tolerance_mm)
 }
 
-fn plus(point: [f64; 2], direction: [f64; 2], by: f64) -> [f64; 2] {
-    [point[0] + direction[0] * by, point[1] + direction[1] * by]
-}
-
 fn minus(one: [f64; 2], other: [f64; 2]) -> [f64; 2] {
     [one[0] - other[0], one[1] - other[1]]
 }
@@ -116,7 +113,7 @@ fn cross(one: [f64; 2], other: [f64; 2]) -> f64 {
 }
 
 fn direction_of_angle(degrees: f64) -> [f64; 2] {
-    let (sin, cos) = libm::sincos(degrees.to_radians());
+    let (sin, cos) = sin_cos_degrees(degrees);
     [cos, sin]
 }
 
@@ -137,14 +134,14 @@ impl ElementCarrier {
         match (*self, *next) {
             (ElementCarrier::Line { direction, .. }, ElementCarrier::Circle { center, signed })
             | (ElementCarrier::Circle { center, signed }, ElementCarrier::Line { direction, .. }) => {
-                Some(plus(center, left_normal(direction), -signed))
+                Some(point_ahead(center, left_normal(direction), -signed))
             }
             (
                 ElementCarrier::Circle { center: one, signed: r },
                 ElementCarrier::Circle { center: other, signed: s },
             ) => {
                 let normal = minus(other, one).map(|value| value / (s - r));
-                (s != r).then(|| plus(one, normal, -r))
+                (s != r).then(|| point_ahead(one, normal, -r))
             }
             (ElementCarrier::Line { .. }, ElementCarrier::Line { .. }) => None,
         }
@@ -161,7 +158,7 @@ impl ElementCarrier {
                 if sine.abs() < PARALLEL_SINE {
                     return Vec::new();
                 }
-                vec![plus(point, direction, cross(minus(other, point), along) / sine)]
+                vec![point_ahead(point, direction, cross(minus(other, point), along) / sine)]
             }
             (
                 ElementCarrier::Line { point, direction },
@@ -179,7 +176,12 @@ impl ElementCarrier {
                 let center_distance = distance(one, other);
                 let along =
                     (center_distance * center_distance + r * r - s * s) / (2.0 * center_distance);
-                points_at_distance(plus(one, across, along), left_normal(across), one, r.abs())
+                points_at_distance(
+                    point_ahead(one, across, along),
+                    left_normal(across),
+                    one,
+                    r.abs(),
+                )
             }
         }
     }
@@ -193,7 +195,7 @@ fn points_at_distance(
     radius: f64,
 ) -> Vec<[f64; 2]> {
     let along = dot(minus(center, point), direction);
-    let foot = plus(point, direction, along);
+    let foot = point_ahead(point, direction, along);
     let square = radius * radius - dot(minus(center, foot), minus(center, foot));
     if square < -COINCIDENT_POINTS_MM * radius {
         return Vec::new();
@@ -202,7 +204,7 @@ fn points_at_distance(
     if half <= COINCIDENT_POINTS_MM {
         return vec![foot];
     }
-    vec![plus(foot, direction, -half), plus(foot, direction, half)]
+    vec![point_ahead(foot, direction, -half), point_ahead(foot, direction, half)]
 }
 
 /// The line that leaves one circle and goes over into another, both in their directions; a point is a circle of radius 0.
@@ -216,7 +218,7 @@ fn common_tangent(from: ([f64; 2], f64), to: ([f64; 2], f64)) -> Option<ElementC
     let side = left_normal(across);
     let normal = [0, 1].map(|axis| share * across[axis] + along.sqrt() * side[axis]);
     let direction = [normal[1], -normal[0]];
-    Some(ElementCarrier::Line { point: plus(from.0, normal, -from.1), direction })
+    Some(ElementCarrier::Line { point: point_ahead(from.0, normal, -from.1), direction })
 }
 
 impl FreeChain<'_> {
@@ -283,7 +285,7 @@ impl FreeChain<'_> {
         if let Some(direction) = direction.or_else(|| self.entry_direction(index)) {
             let point = self.points[index].or(self.points[index + 1]).or_else(|| {
                 let touched = self.tangent_start(index).or_else(|| self.tangent_end(index))?;
-                Some(plus(touched.0, left_normal(direction), -touched.1))
+                Some(point_ahead(touched.0, left_normal(direction), -touched.1))
             })?;
             return Some(ElementCarrier::Line { point, direction });
         }
@@ -321,14 +323,14 @@ impl FreeChain<'_> {
         let (start, end) = (self.points[index], self.points[index + 1]);
         if let (Some(start), Some(direction)) = (start, self.entry_direction(index)) {
             if let Some(radius) = values.radius {
-                return Some(of(plus(start, left_normal(direction), sign * radius), radius));
+                return Some(of(point_ahead(start, left_normal(direction), sign * radius), radius));
             }
             let chord = minus(end?, start);
             let height = dot(chord, left_normal(direction));
             let signed = dot(chord, chord) / (2.0 * height);
             // On its own side only.
             return (signed * sign > 0.0 && signed.is_finite())
-                .then(|| of(plus(start, left_normal(direction), signed), signed.abs()));
+                .then(|| of(point_ahead(start, left_normal(direction), signed), signed.abs()));
         }
         self.rounding(index, sign).map(|center| of(center, values.radius.unwrap_or(0.0)))
     }
@@ -341,7 +343,7 @@ impl FreeChain<'_> {
         let after = self.carriers[index + 1]?;
         let shifted = |carrier| match carrier {
             ElementCarrier::Line { point, direction } => {
-                let point = plus(point, left_normal(direction), signed);
+                let point = point_ahead(point, left_normal(direction), signed);
                 Some(ElementCarrier::Line { point, direction })
             }
             ElementCarrier::Circle { .. } => None,
@@ -357,13 +359,13 @@ impl FreeChain<'_> {
             return Some([x, y]);
         }
         if let (Some(pole), [Some(radius), Some(angle)]) = (self.pole, values.polar) {
-            return Some(plus(pole, direction_of_angle(angle), radius));
+            return Some(point_ahead(pole, direction_of_angle(angle), radius));
         }
         let carrier = self.carriers[index]?;
         if let (ElementCarrier::Line { direction, .. }, Some(length), Some(start)) =
             (carrier, values.length, self.points[index])
         {
-            return Some(plus(start, direction, length));
+            return Some(point_ahead(start, direction, length));
         }
         let sources = [
             self.meeting_next(index, &carrier),

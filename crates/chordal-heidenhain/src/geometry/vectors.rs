@@ -15,6 +15,11 @@ pub fn unit_vector(from: [f64; 2], to: [f64; 2]) -> Option<[f64; 2]> {
         .then(|| [(to[0] - from[0]) / length, (to[1] - from[1]) / length])
 }
 
+/// The point at a distance in a direction.
+pub fn point_ahead(point: [f64; 2], direction: [f64; 2], by: f64) -> [f64; 2] {
+    [point[0] + direction[0] * by, point[1] + direction[1] * by]
+}
+
 /// A direction turned by a quarter to the left.
 pub const fn left_normal(direction: [f64; 2]) -> [f64; 2] {
     [-direction[1], direction[0]]

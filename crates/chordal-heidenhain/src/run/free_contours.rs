@@ -4,6 +4,7 @@ use std::collections::VecDeque;
 
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, TextRange};
+use chordal_kernel::frames::sin_cos_degrees;
 
 use super::interpreter::KlartextInterpreter;
 use super::run_state::KlartextFlow;
@@ -207,7 +208,7 @@ impl KlartextInterpreter<'_> {
         let angle_deg = value(&words.angle, 1.0);
         let from_pole = || {
             let [Some(radius), Some(angle)] = center_polar else { return None };
-            let (sin, cos) = libm::sincos(angle.to_radians());
+            let (sin, cos) = sin_cos_degrees(angle);
             self.modes.free_pole.map(|pole| [pole[0] + radius * cos, pole[1] + radius * sin])
         };
         let center = match center {

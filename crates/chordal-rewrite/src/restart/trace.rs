@@ -156,7 +156,7 @@ impl EventTrace {
                 recorder.keep(TraceEvent::Done(state));
                 return;
             }
-            recorder.follow_frame(visit.output);
+            visit.output.commands.iter().for_each(|command| recorder.follow_frame(&command.kind));
             if visit.ran + 1 == after {
                 let state = recorder.state_after(visit);
                 recorder.trace.unmoved = state.unmoved;
@@ -252,12 +252,9 @@ impl EventRecorder<'_> {
         }
     }
 
-    /// Follows the frame of the part where nothing is kept yet.
-    fn follow_frame(&mut self, output: &BlockOutput) {
-        for command in &output.commands {
-            if let CommandKind::PartFrame { frame, .. } = &command.kind {
-                self.is_on_part = frame.is_some();
-            }
+    fn follow_frame(&mut self, command: &CommandKind) {
+        if let CommandKind::PartFrame { frame, .. } = command {
+            self.is_on_part = frame.is_some();
         }
     }
 
@@ -283,9 +280,7 @@ impl EventRecorder<'_> {
                 continue;
             }
             self.has_ended |= command.kind == CommandKind::End;
-            if let CommandKind::PartFrame { frame, .. } = &command.kind {
-                self.is_on_part = frame.is_some();
-            }
+            self.follow_frame(&command.kind);
             self.stand(&command.origin);
             self.trace.moves += u64::from(command.kind.motion().is_some());
             self.keep(match &command.kind {
