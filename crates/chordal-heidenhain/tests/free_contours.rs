@@ -1,4 +1,4 @@
-//! Random free contours: made forwards from their angles and lengths, told by only some of their values, and solved.
+//! Random free contours: made forwards from their angles and lengths, described by some of their values alone, and solved.
 
 use chordal_geometry::TurnDirection;
 use chordal_heidenhain::geometry::{

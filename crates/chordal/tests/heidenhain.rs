@@ -28,7 +28,10 @@ const MIN_FAULTS: usize = 89;
 /// How far a coordinate may be off: the set is rounded to three decimals, mm.
 const TOLERANCE_MM: f64 = 1.1e-3;
 
-/// Added to values that are told as seconds, so that negative ones can be told, too.
+/// How far an angle may be off, degrees.
+const TOLERANCE_DEG: f64 = 1.1e-3;
+
+/// Added to values that dwells record as seconds, so that negative ones can be recorded, too.
 const VALUE_SHIFT: f64 = 100_000.0;
 
 fn folder() -> PathBuf {
@@ -37,9 +40,9 @@ fn folder() -> PathBuf {
 
 /// The commands of the tool centre, with the mark of those that compensation inserts.
 #[derive(Default)]
-struct PathRecord(Vec<(Command, bool)>);
+struct KlartextPathRecord(Vec<(Command, bool)>);
 
-impl PathSink for PathRecord {
+impl PathSink for KlartextPathRecord {
     fn command(&mut self, path: PathCommand<'_>) {
         self.0.push((path.command.clone(), path.inserted));
     }
@@ -111,10 +114,10 @@ fn expects_position(notes: &[String]) -> bool {
     notes.iter().any(|note| note.starts_with(['X', 'Y', 'Z']))
 }
 
-/// The text with blocks that tell values after the lines that expect some, and the line of the file for each line.
+/// The text with dwells that record values after the lines that expect some, and the line of the file for each line.
 fn with_values(text: &str) -> (String, Vec<u32>) {
     let (mut out, mut lines) = (String::new(), vec![0]);
-    let tells_places = is_transformed(text);
+    let records_places = is_transformed(text);
     // The same blocks in the other form of programs.
     let is_iso = text.starts_with('%');
     for (index, line) in text.lines().enumerate() {
@@ -138,7 +141,7 @@ fn with_values(text: &str) -> (String, Vec<u32>) {
             add(&shifted(&name));
             dwell.lines().for_each(&mut add);
         }
-        if tells_places && expects_position(&notes) {
+        if records_places && expects_position(&notes) {
             for axis in 1..=3 {
                 add(&match is_iso {
                     true => format!("D18 Q1997 ID270 NR1 IDX{axis}*"),
@@ -175,7 +178,7 @@ fn run(path: &Path) -> KlartextRunRecord {
         last_lines.insert(block.line, lines.get(last as usize).copied().unwrap_or(0));
     }
     let file_line = |line: u32| last_lines.get(&line).copied().unwrap_or(0);
-    let mut record = PathRecord::default();
+    let mut record = KlartextPathRecord::default();
     let outcomes = job.compensated(None, &mut record);
     let calls = outcomes.first().map(|outcome| outcome.calls.clone()).unwrap_or_default();
     let line_of = |command: &Command| match command.origin.span.file {
@@ -243,11 +246,11 @@ fn end_of(step: &RecordedMove) -> [f64; 3] {
 
 /// The map of the plane from programmed coordinates to those of the preset, by two points of lines that expect both.
 #[derive(Default)]
-struct PlaneMap {
+struct ExpectedPlaneMap {
     pairs: Vec<([f64; 2], [f64; 2])>,
 }
 
-impl PlaneMap {
+impl ExpectedPlaneMap {
     fn note(&mut self, notes: &[String]) {
         let find = |prefix: &str| {
             let note = notes.iter().find_map(|note| match prefix {
@@ -281,80 +284,99 @@ impl PlaneMap {
     }
 }
 
-/// Checks an expectation of a line; what is wrong, or `None`.
+/// The values that the last run of a line has recorded: those of its parameters in their order, then X, Y and Z.
+fn recorded_values(record: &KlartextRunRecord, line: u32, count: usize) -> Option<&[f64]> {
+    let all = record.values.get(&line)?;
+    all.len().checked_sub(count).map(|from| &all[from..])
+}
+
+/// The last move of a line; without one, that before it.
+fn last_move(record: &KlartextRunRecord, line: u32) -> Option<&RecordedMove> {
+    let own = record.moves.iter().rposition(|step| step.line == line);
+    let before = || record.moves.iter().rposition(|step| step.line <= line);
+    own.or_else(before).map(|at| &record.moves[at])
+}
+
+/// Whether the rotary axes are where an expectation names them, degrees.
+fn rotary_axes_agree(note: &str, step: Option<&RecordedMove>) -> bool {
+    let named = [('A', 3), ('C', 5)].map(|(letter, axis)| (value(note, letter), axis));
+    named.into_iter().filter_map(|(expected, axis)| Some((expected?, axis))).all(
+        |(expected, axis)| {
+            let to = step.and_then(|step| step.kind.motion()).map(|motion| motion.to[axis]);
+            to.is_some_and(|angle| (angle.to_degrees() - expected).abs() <= TOLERANCE_DEG)
+        },
+    )
+}
+
+/// A number that an expectation names.
+fn expected_number<T: std::str::FromStr>(words: &str) -> Result<T, String> {
+    words.trim().parse().map_err(|_| "it names no number".to_string())
+}
+
+/// Checks an expectation of a line.
+///
+/// # Errors
+/// What is found in its place.
 fn check(
     note: &str,
     line: u32,
+    notes: &[String],
     record: &KlartextRunRecord,
-    is_mapped: bool,
-    map: &PlaneMap,
-) -> Option<String> {
+    map: Option<&ExpectedPlaneMap>,
+) -> Result<(), String> {
     let own: Vec<&RecordedMove> = record.moves.iter().filter(|step| step.line == line).collect();
-    let last = || {
-        let at = record.moves.iter().rposition(|step| step.line == line);
-        let before = record.moves.iter().rposition(|step| step.line <= line);
-        at.or(before).map(|at| end_of(&record.moves[at]))
+    let names = parameters(notes);
+    let has_places = map.is_some() && expects_position(notes);
+    let recorded = || {
+        let count = names.len() + if has_places { 3 } else { 0 };
+        recorded_values(record, line, count).ok_or("nothing is recorded".to_string())
     };
     let (kind, words) = note.split_once(' ').unwrap_or((note, ""));
-    let fail = |found: String| Some(format!("line {line}: `{note}`: {found}"));
+    let is_place = |found: Option<[f64; 3]>, words: &str| match found {
+        Some(found) if is_near(found, place(words)) => Ok(()),
+        found => Err(format!("{found:?}")),
+    };
+    let is_equal = |found: usize| match expected_number::<usize>(words)? {
+        expected if expected == found => Ok(()),
+        _ => Err(found.to_string()),
+    };
     match kind {
-        "clean" | "called" | "kind" | "says" | "fault" => None,
-        "end" => {
-            let found = record.moves.last().map(end_of);
-            match found {
-                Some(found) if is_near(found, place(words)) => None,
-                found => fail(format!("{found:?}")),
-            }
-        }
+        "clean" | "called" | "kind" | "says" | "fault" | "path" => Ok(()),
+        "end" => is_place(record.moves.last().map(end_of), words),
         "work" => {
-            let at = record.moves.iter().rposition(|step| step.line <= line);
-            let step = record.moves.iter().rposition(|step| step.line == line).or(at);
-            let found = step.map(|at| {
-                let step = &record.moves[at];
+            let found = last_move(record, line).map(|step| {
                 let end = Vec3::from_array(end_of(step));
-                let end = step.plane.map_or(end, |plane| plane.apply_point(end));
-                [end.x, end.y, end.z]
+                step.plane.map_or(end, |plane| plane.apply_point(end)).to_array()
             });
-            match found {
-                Some(found) if is_near(found, place(words)) => None,
-                found => fail(format!("{found:?}")),
-            }
+            is_place(found, words)
         }
-        "path" => None,
         "centre" => {
-            let Some(shape) = own.iter().rev().find_map(|step| step.kind.shape()) else {
-                return fail("no arc".into());
-            };
+            let shape = own.iter().rev().find_map(|step| step.kind.shape()).ok_or("no arc")?;
             let (a, b, _) = shape.plane.axes();
-            let center = if is_mapped { map.programmed(shape.center) } else { shape.center };
+            let center = map.map_or(shape.center, |map| map.programmed(shape.center));
             let expected = place(words);
             let is_right = [(a, center[0]), (b, center[1])].into_iter().all(|(axis, mm)| {
-                expected[axis].is_none_or(|wanted| (mm - wanted).abs() <= TOLERANCE_MM)
+                expected[axis].is_none_or(|expected| (mm - expected).abs() <= TOLERANCE_MM)
             });
-            if is_right { None } else { fail(format!("{center:?}")) }
+            if is_right { Ok(()) } else { Err(format!("{center:?}")) }
         }
-        "runs" => {
-            let wanted: usize = words.parse().ok()?;
-            if own.len() == wanted { None } else { fail(format!("{} moves", own.len())) }
-        }
+        "runs" => is_equal(own.len()),
+        "strokes" => is_equal(strokes(&own)),
         "lowest" => {
             let lowest = own.iter().map(|step| end_of(step)[2]).fold(f64::INFINITY, f64::min);
-            let lowest = match is_mapped {
+            let lowest = match map {
                 // The shift of Z is that of the end of the line.
-                true => {
-                    let told = record.values.get(&line)?;
-                    let z = *told.last()?;
+                Some(_) => {
+                    let z = recorded()?.last().copied().ok_or("no position is recorded")?;
                     lowest - own.last().map_or(0.0, |step| end_of(step)[2]) + z
                 }
-                false => lowest,
+                None => lowest,
             };
-            let wanted = value(words, 'Z')?;
-            if (lowest - wanted).abs() <= TOLERANCE_MM { None } else { fail(format!("{lowest}")) }
-        }
-        "strokes" => {
-            let wanted: usize = words.parse().ok()?;
-            let found = strokes(&own);
-            if found == wanted { None } else { fail(format!("{found}")) }
+            let expected = value(words, 'Z').ok_or("it names no Z")?;
+            match (lowest - expected).abs() <= TOLERANCE_MM {
+                true => Ok(()),
+                false => Err(lowest.to_string()),
+            }
         }
         "min" | "max" => {
             let sign = if kind == "min" { 1.0 } else { -1.0 };
@@ -364,33 +386,34 @@ fn check(
                     (0..2).for_each(|axis| found[axis] = found[axis].min(sign * point[axis]));
                 }
             }
-            let found = [sign * found[0], sign * found[1], 0.0];
             let [x, y, _] = place(words);
-            if is_near(found, [x, y, None]) { None } else { fail(format!("{found:?}")) }
+            let found = [sign * found[0], sign * found[1], 0.0];
+            if is_near(found, [x, y, None]) { Ok(()) } else { Err(format!("{found:?}")) }
         }
         _ if note.starts_with('Q') => {
-            let (name, wanted) = note.split_once('=')?;
-            let wanted: f64 = wanted.trim().parse().ok()?;
-            let told = record.values.get(&line).map(Vec::as_slice).unwrap_or_default();
-            let is_told = told.iter().rev().take(12).any(|mm| (mm - wanted).abs() <= 1e-3);
-            if is_told { None } else { fail(format!("{name} is one of {told:?}")) }
-        }
-        _ if note.starts_with(['X', 'Y', 'Z', 'A', 'C']) => {
-            let found = match is_mapped {
-                true => {
-                    let told = record.values.get(&line).map(Vec::as_slice).unwrap_or_default();
-                    told.rchunks(3)
-                        .next()
-                        .and_then(|last| Some([*last.first()?, *last.get(1)?, *last.get(2)?]))
-                }
-                false => last(),
-            };
-            match found {
-                Some(found) if is_near(found, place(note)) => None,
-                found => fail(format!("{found:?}")),
+            let (name, expected) = note.split_once('=').ok_or("it names no value")?;
+            let expected: f64 = expected_number(expected)?;
+            let at = names.iter().position(|own| own == name).ok_or("it is not recorded")?;
+            let found = recorded()?[at];
+            match (found - expected).abs() <= TOLERANCE_MM {
+                true => Ok(()),
+                false => Err(found.to_string()),
             }
         }
-        _ => fail("is not checked".into()),
+        _ if note.starts_with(['X', 'Y', 'Z', 'A', 'C']) => {
+            let step = last_move(record, line);
+            if !rotary_axes_agree(note, step) {
+                return Err(format!("{:?}", step.and_then(|step| step.kind.motion())));
+            }
+            match has_places {
+                true => {
+                    let [.., x, y, z] = *recorded()? else { return Err("no position".into()) };
+                    is_place(Some([x, y, z]), note)
+                }
+                false => is_place(step.map(end_of), note),
+            }
+        }
+        _ => Err("is not checked".into()),
     }
 }
 
@@ -467,7 +490,7 @@ fn check_program(path: &Path) -> ProgramResult {
     let text = fs::read_to_string(path).expect("a program");
     let record = run(path);
     let is_mapped = is_transformed(&text);
-    let mut map = PlaneMap::default();
+    let mut map = ExpectedPlaneMap::default();
     let (mut expectations, mut wrong) = (0, Vec::new());
     for (index, line) in text.lines().enumerate() {
         let number = index as u32 + 1;
@@ -475,7 +498,12 @@ fn check_program(path: &Path) -> ProgramResult {
         map.note(&notes);
         let is_counted = |note: &&String| !matches!(note.as_str(), "clean" | "called");
         expectations += notes.iter().filter(is_counted).count();
-        wrong.extend(notes.iter().filter_map(|note| check(note, number, &record, is_mapped, &map)));
+        let own_map = is_mapped.then_some(&map);
+        for note in &notes {
+            if let Err(found) = check(note, number, &notes, &record, own_map) {
+                wrong.push(format!("line {number}: `{note}`: {found}"));
+            }
+        }
         wrong.extend(check_path(&notes, number, &record));
     }
     let is_problem = |found: &Diagnostic| found.severity != Severity::Note;

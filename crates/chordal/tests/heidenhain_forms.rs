@@ -7,8 +7,8 @@ use std::path::Path;
 
 use chordal::{Command, Diagnostic, Job, Machine, RunSink, Severity, Sink, Source, SourceMap};
 
-/// Seeds of broken programs; `CHORDAL_ROUNDS` is another number.
-const ROUNDS: u64 = 400;
+/// The number of broken programs; `CHORDAL_ROUNDS` is another one.
+const BROKEN_PROGRAMS: u64 = 400;
 
 fn programs() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/heidenhain/programs");
@@ -154,8 +154,10 @@ fn next(state: &mut u64) -> u64 {
 #[test]
 #[allow(clippy::disallowed_methods, reason = "how long a random test runs is for its caller")]
 fn broken_programs_get_an_answer() {
-    let rounds =
-        std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok()).unwrap_or(ROUNDS);
+    let rounds = std::env::var("CHORDAL_ROUNDS")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(BROKEN_PROGRAMS);
     let programs = programs();
     let (mut answered, mut all) = (0, 0);
     for seed in 0..rounds {

@@ -19,7 +19,7 @@ const USUAL_OVERLAP: f64 = 1.0;
 
 /// The outline that the centre of the tool follows on the wall, about a point; mm.
 #[derive(Clone, Copy, PartialEq, Debug)]
-enum PocketOutline {
+enum KlartextPocketOutline {
     /// Half of both sides, the radius of the corners, the angle, degrees.
     Rectangle([f64; 2], f64, f64),
     /// The radius.
@@ -156,29 +156,29 @@ fn rectangle(
     corner: f64,
     degrees: f64,
     tool: f64,
-) -> Result<PocketOutline, KlartextCycleFault> {
+) -> Result<KlartextPocketOutline, KlartextCycleFault> {
     let halves = sides.map(|side| side / 2.0 - tool);
     if halves.iter().any(|half| *half < -1e-9) {
         return Err(too_large(tool, sides[0].min(sides[1])));
     }
     let halves = halves.map(|half| half.max(0.0));
     let corner = (corner - tool).clamp(0.0, halves[0].min(halves[1]));
-    Ok(PocketOutline::Rectangle(halves, corner, degrees))
+    Ok(KlartextPocketOutline::Rectangle(halves, corner, degrees))
 }
 
-fn circle(diameter: f64, tool: f64) -> Result<PocketOutline, KlartextCycleFault> {
+fn circle(diameter: f64, tool: f64) -> Result<KlartextPocketOutline, KlartextCycleFault> {
     let radius = diameter / 2.0 - tool;
     if radius < -1e-9 {
         return Err(too_large(tool, diameter));
     }
-    Ok(PocketOutline::Circle(radius.max(0.0)))
+    Ok(KlartextPocketOutline::Circle(radius.max(0.0)))
 }
 
 fn outline(
     number: u32,
     values: &CycleValues,
     tool: f64,
-) -> Result<PocketOutline, KlartextCycleFault> {
+) -> Result<KlartextPocketOutline, KlartextCycleFault> {
     match number {
         251 => {
             let sides = [values.length(218), values.length(219)];
@@ -195,7 +195,7 @@ fn outline(
                 return Err(too_large(tool, values.length(219)));
             }
             let radius = values.length(375) / 2.0;
-            Ok(PocketOutline::ArcSlot(
+            Ok(KlartextPocketOutline::ArcSlot(
                 radius,
                 half.max(0.0).min(radius),
                 values.number(376),
@@ -206,15 +206,17 @@ fn outline(
 }
 
 /// The outline with an allowance on its wall.
-fn shrunk(wall: PocketOutline, by: f64) -> PocketOutline {
+fn shrunk(wall: KlartextPocketOutline, by: f64) -> KlartextPocketOutline {
     match wall {
-        PocketOutline::Rectangle(halves, corner, degrees) => {
+        KlartextPocketOutline::Rectangle(halves, corner, degrees) => {
             let halves = halves.map(|half| (half - by).max(0.0));
-            PocketOutline::Rectangle(halves, (corner - by).max(0.0), degrees)
+            KlartextPocketOutline::Rectangle(halves, (corner - by).max(0.0), degrees)
         }
-        PocketOutline::Circle(radius) => PocketOutline::Circle((radius - by).max(0.0)),
-        PocketOutline::ArcSlot(radius, half, from, length) => {
-            PocketOutline::ArcSlot(radius, (half - by).max(0.0), from, length)
+        KlartextPocketOutline::Circle(radius) => {
+            KlartextPocketOutline::Circle((radius - by).max(0.0))
+        }
+        KlartextPocketOutline::ArcSlot(radius, half, from, length) => {
+            KlartextPocketOutline::ArcSlot(radius, (half - by).max(0.0), from, length)
         }
     }
 }
@@ -251,8 +253,8 @@ fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
 /// What is done of a pocket.
 #[derive(Clone, Copy, Debug)]
 struct PocketParts {
-    wall: PocketOutline,
-    rough: PocketOutline,
+    wall: KlartextPocketOutline,
+    rough: KlartextPocketOutline,
     roughs: bool,
     finishes: bool,
 }
@@ -307,23 +309,26 @@ fn cut_pocket(
 }
 
 /// Where the tool goes down.
-fn start_point(outline: &PocketOutline, place: [f64; 2]) -> [f64; 2] {
+fn start_point(outline: &KlartextPocketOutline, place: [f64; 2]) -> [f64; 2] {
     let local = match outline {
-        PocketOutline::ArcSlot(radius, _, from, _) => {
+        KlartextPocketOutline::ArcSlot(radius, _, from, _) => {
             let (sin, cos) = sin_cos_degrees(*from);
             [radius * cos, radius * sin]
         }
-        PocketOutline::Rectangle(..) | PocketOutline::Circle(_) => [0.0; 2],
+        KlartextPocketOutline::Rectangle(..) | KlartextPocketOutline::Circle(_) => [0.0; 2],
     };
     [place[0] + local[0], place[1] + local[1]]
 }
 
 /// The rings of a level from the inside outwards, the last on the wall.
-fn rings(outline: &PocketOutline, stepover: f64) -> Result<Vec<PocketOutline>, KlartextCycleFault> {
+fn rings(
+    outline: &KlartextPocketOutline,
+    stepover: f64,
+) -> Result<Vec<KlartextPocketOutline>, KlartextCycleFault> {
     let reach = match outline {
-        PocketOutline::Rectangle(halves, ..) => halves[0].min(halves[1]),
-        PocketOutline::Circle(radius) => *radius,
-        PocketOutline::ArcSlot(_, half, ..) => *half,
+        KlartextPocketOutline::Rectangle(halves, ..) => halves[0].min(halves[1]),
+        KlartextPocketOutline::Circle(radius) => *radius,
+        KlartextPocketOutline::ArcSlot(_, half, ..) => *half,
     };
     let count = if stepover > 0.0 { (reach / stepover - 1e-9).ceil().max(1.0) } else { 1.0 };
     if count > MAX_POCKET_RINGS {
@@ -339,14 +344,14 @@ fn rings(outline: &PocketOutline, stepover: f64) -> Result<Vec<PocketOutline>, K
 
 /// Once round an outline, counter-clockwise, about a point.
 fn follow(
-    outline: &PocketOutline,
+    outline: &KlartextPocketOutline,
     place: [f64; 2],
     feed: CycleFeed,
     steps: &mut Vec<KlartextCycleStep>,
 ) {
     let at = |[x, y]: [f64; 2]| [place[0] + x, place[1] + y];
     match outline {
-        PocketOutline::Circle(radius) => {
+        KlartextPocketOutline::Circle(radius) => {
             if *radius <= 0.0 {
                 return;
             }
@@ -354,7 +359,7 @@ fn follow(
             let end = at([*radius, 0.0]);
             steps.push(KlartextCycleStep::Arc { center: place, end, sweep_rad: TAU, feed });
         }
-        PocketOutline::Rectangle([x, y], corner, degrees) => {
+        KlartextPocketOutline::Rectangle([x, y], corner, degrees) => {
             let put = |local: [f64; 2]| at(turned(local, *degrees));
             let r = *corner;
             let line = |local: [f64; 2]| KlartextCycleStep::Across { offset: put(local), feed };
@@ -378,7 +383,7 @@ fn follow(
             }
             steps.push(line([*x, 0.0]));
         }
-        PocketOutline::ArcSlot(radius, half, from, length) => {
+        KlartextPocketOutline::ArcSlot(radius, half, from, length) => {
             let polar = |radius: f64, degrees: f64| {
                 let (sin, cos) = sin_cos_degrees(degrees);
                 at([radius * cos, radius * sin])
