@@ -71,7 +71,8 @@ use crate::terminal::TerminalSupport;
 const ABOUT: &str = "Runs CNC programs exactly as their control would";
 
 const LONG_ABOUT: &str = "\
-Runs CNC programs exactly as their control would: Fadal, Haas, Fanuc, Mitsubishi, LinuxCNC.
+Runs CNC programs exactly as their control would: Fadal, Haas, Fanuc, Mitsubishi, LinuxCNC, GRBL,
+Mach3, Marlin, Sinumerik, HEIDENHAIN.
 
 Chordal reads the program with the rules of one control, says where that control would stop
 and why, and gives the exact path of the tool. It recognizes from the text for which control a

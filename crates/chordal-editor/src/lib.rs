@@ -27,6 +27,7 @@ pub mod meaning;
 mod modal_text;
 mod moves;
 mod other_files;
+mod outline;
 mod place;
 mod program;
 mod questions;
@@ -42,10 +43,11 @@ pub use grammar::grammar;
 pub use hover::{Hover, diagnostic_markdown};
 pub use moves::{LineMoves, RunMoves};
 pub use other_files::OccurrenceInFile;
+pub use outline::{EntryKind, OutlineEntry};
 pub use place::{LineColumnIndex, byte_of, line_and_column};
 pub use program::EditorProgram;
 pub use setup::EditorSetup;
 pub use word_address::{
-    Completion, CompletionKind, EntryKind, NameOccurrence, NameRole, NumberingOptions,
-    OutlineEntry, RenameError, RenamedVariable, SymbolName,
+    Completion, CompletionKind, NameOccurrence, NameRole, NumberingOptions, RenameError,
+    RenamedVariable, SymbolName,
 };

@@ -1,13 +1,14 @@
 //! The questions of an editor, answered by the language of the program.
 
-use chordal::control::{TextSymbol, Token, WordCompletion};
+use chordal::control::{Token, WordCompletion};
 use chordal::diagnostics::TextRange;
 
 use crate::edit_proof::{FormatEdit, FormatError};
 use crate::hover::{Hover, as_markdown};
+use crate::outline::{OutlineEntry, outline_of};
 use crate::word_address::{
-    Completion, CompletionKind, EntryKind, NameOccurrence, NumberingOptions, OutlineEntry,
-    RenameError, RenamedVariable, SymbolName,
+    Completion, CompletionKind, NameOccurrence, NumberingOptions, RenameError, RenamedVariable,
+    SymbolName,
 };
 use crate::{EditorProgram, RunMoves};
 
@@ -41,22 +42,12 @@ impl EditorProgram {
     }
 
     /// The outline: programs, in them tools, in those operations, and blocks with numbers where
-    /// only some have one. In other languages the named places of the text.
+    /// only some have one. In other languages programs, tools, subprograms and labels.
     pub fn outline(&self) -> Vec<OutlineEntry> {
         if let Some(text) = self.word_address() {
             return text.outline();
         }
-        let symbols = self.job().program_set().symbols();
-        let entry = |symbol: TextSymbol| OutlineEntry {
-            name: symbol.name,
-            detail: String::new(),
-            kind: EntryKind::Label,
-            range: symbol.range,
-            head: symbol.range,
-            line: self.source().line_of(symbol.range.start),
-            children: Vec::new(),
-        };
-        symbols.into_iter().map(entry).collect()
+        outline_of(self.job().program_set().symbols(), self.source())
     }
 
     /// Completions at a byte, and where the text that they replace begins.

@@ -4,8 +4,9 @@ use chordal::diagnostics::{FileId, Label, TextRange};
 use chordal::{Diagnostic, Severity};
 use chordal_editor::{EditorProgram, EntryKind, FormatEdit, OutlineEntry, Token, TokenClass};
 use lsp_types::{
-    DiagnosticRelatedInformation, DiagnosticSeverity, DocumentSymbol, Location, NumberOrString,
-    SemanticToken, SemanticTokenType, SymbolKind, TextEdit, Uri,
+    DiagnosticRelatedInformation, DiagnosticSeverity, DocumentSymbol, FoldingRange,
+    FoldingRangeKind, Location, NumberOrString, SemanticToken, SemanticTokenType, SymbolKind,
+    TextEdit, Uri,
 };
 
 use crate::place::{place_of, range_of};
@@ -80,6 +81,28 @@ pub fn symbols(program: &EditorProgram, entries: Vec<OutlineEntry>) -> Vec<Docum
             }
         })
         .collect()
+}
+
+/// What can be folded: each entry of the outline that has more than one line, with what lies in it.
+pub fn folds(program: &EditorProgram, entries: &[OutlineEntry]) -> Vec<FoldingRange> {
+    let mut folds = Vec::new();
+    let mut open: Vec<&OutlineEntry> = entries.iter().rev().collect();
+    while let Some(entry) = open.pop() {
+        open.extend(entry.children.iter().rev());
+        let range = range_of(program.source(), entry.range);
+        // A range that ends with a line break ends at the start of the next line.
+        let is_next_line = range.end.character == 0 && range.end.line > range.start.line;
+        let end_line = range.end.line - u32::from(is_next_line);
+        if end_line > range.start.line {
+            folds.push(FoldingRange {
+                start_line: range.start.line,
+                end_line,
+                kind: Some(FoldingRangeKind::Region),
+                ..FoldingRange::default()
+            });
+        }
+    }
+    folds
 }
 
 /// Converts a problem. One in another file is reported at the innermost call in this file.

@@ -14,7 +14,7 @@ use serde_json::{Value, json};
 
 use crate::SetupFinder;
 use crate::actions::{self, FIX_ALL, RENUMBER, actions, edit_of};
-use crate::convert::{diagnostic, lines, semantic_tokens, symbols, text_edits, token_types};
+use crate::convert::{diagnostic, folds, lines, semantic_tokens, symbols, text_edits, token_types};
 use crate::document::OpenDocument;
 use crate::features;
 use crate::file_uri::path_of;
@@ -80,6 +80,7 @@ fn capabilities() -> ServerCapabilities {
         hover_provider: Some(true.into()),
         completion_provider: Some(completions),
         document_symbol_provider: Some(OneOf::Left(true)),
+        folding_range_provider: Some(FoldingRangeProviderCapability::Simple(true)),
         definition_provider: Some(OneOf::Left(true)),
         references_provider: Some(OneOf::Left(true)),
         rename_provider: Some(OneOf::Right(rename)),
@@ -392,6 +393,7 @@ impl<'a> Server<'a> {
             request::HoverRequest::METHOD => self.hover(params),
             request::Completion::METHOD => self.completion(params),
             request::DocumentSymbolRequest::METHOD => self.outline(params),
+            request::FoldingRangeRequest::METHOD => self.folds(params),
             request::GotoDefinition::METHOD => self.definition(params),
             request::References::METHOD => self.references(params),
             request::PrepareRenameRequest::METHOD => self.prepare_rename(params),
@@ -444,6 +446,12 @@ impl<'a> Server<'a> {
         let DocumentSymbolParams { text_document, .. } = parse(params)?;
         let program = self.program(&text_document.uri)?;
         answer_value(symbols(&program, program.outline()))
+    }
+
+    fn folds(&self, params: Value) -> RequestAnswer {
+        let FoldingRangeParams { text_document, .. } = parse(params)?;
+        let program = self.program(&text_document.uri)?;
+        answer_value(folds(&program, &program.outline()))
     }
 
     fn definition(&self, params: Value) -> RequestAnswer {

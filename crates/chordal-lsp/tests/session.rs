@@ -231,6 +231,9 @@ fn problems_come_and_go_as_one_types() {
     editor.end();
 }
 
+/// First and last line, from 0, of what can be folded in that text: O100, T1, N10 and O200.
+const FOLDED_LINES: [(u64, u64); 4] = [(1, 10), (2, 10), (6, 10), (11, 13)];
+
 #[test]
 fn every_question_has_its_answer() {
     let mut editor = Editor::start(json!({}));
@@ -260,6 +263,11 @@ fn every_question_has_its_answer() {
     assert_eq!(outline[0]["detail"], "PLATE");
     assert_eq!(outline[0]["children"][0]["name"], "T1");
     assert_eq!(outline[1]["name"], "O200");
+
+    let folds = editor.of("foldingRange", json!({})).expect("folds");
+    let lines = |fold: &Value| (fold["startLine"].as_u64(), fold["endLine"].as_u64());
+    let folds: Vec<_> = folds.as_array().expect("a list").iter().map(lines).collect();
+    assert_eq!(folds, FOLDED_LINES.map(|(from, to)| (Some(from), Some(to))));
 
     let program = editor.of("definition", place(9, 6)).expect("a place");
     assert_eq!(program[0]["range"], range((11, 0), (11, 4)));
@@ -297,8 +305,8 @@ fn every_question_has_its_answer() {
     let part = part.expect("tokens")["data"].as_array().map_or(0, Vec::len);
     assert!(full > part && part > 0 && full.is_multiple_of(5), "{full} {part}");
 
-    let unknown = editor.of("foldingRange", json!({})).expect_err("a refusal");
-    assert!(unknown.contains("foldingRange"), "{unknown}");
+    let unknown = editor.of("codeLens", json!({})).expect_err("a refusal");
+    assert!(unknown.contains("codeLens"), "{unknown}");
     let malformed = editor.ask("textDocument/hover", json!({ "where": 5 })).expect_err("a refusal");
     assert!(malformed.contains("missing field"), "{malformed}");
     editor.end();

@@ -31,9 +31,9 @@ pub mod control {
         Modal, MotionMode, Outcome, PostedKind, PostedProgram, PostedStep, ProgramName,
         ProgramPlace, ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition, RunOptions,
         RunSink, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm,
-        StartingModes, StateItem, StateValue, TappedHole, TextSymbol, Token, TokenClass, ToolValue,
-        TurnPass, WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenProgram,
-        is_same_level,
+        StartingModes, StateItem, StateValue, TappedHole, TextSymbol, TextSymbolKind, Token,
+        TokenClass, ToolValue, TurnPass, WordCompletion, WriterNote, WriterOptions, WrittenLine,
+        WrittenProgram, is_same_level,
     };
 
     pub use crate::languages::{

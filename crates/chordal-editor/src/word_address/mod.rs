@@ -16,7 +16,6 @@ use chordal::syntax::{Block, BlockReader, Lexicon};
 pub use complete::{Completion, CompletionKind};
 pub use format::NumberingOptions;
 pub use names::{NameOccurrence, NameRole, RenameError, RenamedVariable, SymbolName};
-pub use outline::{EntryKind, OutlineEntry};
 
 use crate::EditorProgram;
 use crate::meaning::ControlView;

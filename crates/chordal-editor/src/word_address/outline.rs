@@ -5,40 +5,7 @@ use chordal::diagnostics::TextRange;
 use chordal::syntax::{Block, BlockKind};
 
 use super::WordAddressText;
-
-/// What an entry of the outline is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
-pub enum EntryKind {
-    /// A program, or the text before the first head.
-    Program,
-    /// A subroutine of O words, or an L subroutine.
-    Subroutine,
-    /// A tool that goes into the spindle.
-    Tool,
-    /// What a comment on a line of its own names.
-    Operation,
-    /// A block with a number.
-    Label,
-}
-
-/// An entry of the outline.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub struct OutlineEntry {
-    /// What it is called.
-    pub name: String,
-    /// More about it; may be empty.
-    pub detail: String,
-    /// What it is.
-    pub kind: EntryKind,
-    /// Everything that belongs to it.
-    pub range: TextRange,
-    /// Its own block.
-    pub head: TextRange,
-    /// Line of the head, from 1.
-    pub line: u32,
-    /// What lies in it.
-    pub children: Vec<OutlineEntry>,
-}
+use crate::outline::{EntryKind, OutlineEntry};
 
 /// Labels of a text with more are a numbering of blocks and no places to go to.
 const MAX_LABELS: usize = 200;

@@ -3,6 +3,7 @@
 mod cycle_words;
 mod meanings;
 mod numbers;
+mod symbols;
 mod vocabulary;
 
 use chordal_kernel::WordCompletion;
@@ -10,6 +11,7 @@ use chordal_kernel::WordCompletion;
 use cycle_words::CYCLE_WORDS;
 pub use meanings::meaning_at;
 use numbers::parameter_meaning;
+pub use symbols::text_symbols;
 use vocabulary::VOCABULARY;
 
 use crate::cycles::cycle_signature;

@@ -9,12 +9,9 @@ use chordal_machine::Machine;
 
 use super::interpreter::KlartextInterpreter;
 use super::program_texts::KlartextTexts;
-use crate::editing::{completions, meaning_at};
+use crate::editing::{completions, meaning_at, text_symbols};
 use crate::settings::HeidenhainSettings;
-use crate::syntax::{
-    KlartextLabel, KlartextReader, KlartextStatement, KlartextToken, KlartextTokenKind, LineReader,
-    scan_tokens,
-};
+use crate::syntax::{KlartextToken, KlartextTokenKind, LineReader, scan_tokens};
 
 /// The programs of some texts with the machine and its control.
 pub struct KlartextPrograms<'a> {
@@ -132,20 +129,7 @@ impl ProgramSet for KlartextPrograms<'_> {
     }
 
     fn symbols(&self) -> Vec<TextSymbol> {
-        let text = self.texts.text(FileId(0));
-        let symbol = |block: crate::syntax::KlartextBlock| {
-            let name = match block.statement {
-                KlartextStatement::Label(KlartextLabel::Number(0)) => return None,
-                KlartextStatement::Label(KlartextLabel::Number(number)) => format!("LBL {number}"),
-                KlartextStatement::Label(KlartextLabel::Text(name)) => format!("LBL \"{name}\""),
-                KlartextStatement::ToolCall(words) if words.tool.is_some() => {
-                    String::from_utf8_lossy(block.range.slice(text)).into_owned()
-                }
-                _ => return None,
-            };
-            Some(TextSymbol { name, range: block.range })
-        };
-        KlartextReader::new(text).filter_map(symbol).collect()
+        text_symbols(self.texts.text(FileId(0)))
     }
 
     fn completions(&self, _: u32) -> Vec<WordCompletion> {

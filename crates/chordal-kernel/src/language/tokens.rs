@@ -67,13 +67,30 @@ pub struct Token {
     pub class: TokenClass,
 }
 
+/// What a named place of a text is.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Hash)]
+pub enum TextSymbolKind {
+    /// A program.
+    Program,
+    /// A subprogram.
+    Subprogram,
+    /// A tool that goes into the spindle.
+    Tool,
+    /// A place to jump to, or the start of a part that is repeated.
+    Label,
+}
+
 /// A named place of a text, for an outline.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct TextSymbol {
     /// Its name.
     pub name: String,
+    /// What it is.
+    pub kind: TextSymbolKind,
     /// The text that it names.
     pub range: TextRange,
+    /// The text that belongs to it, from the start of `range` on. An editor folds it.
+    pub body: TextRange,
 }
 
 /// A word that can be written at a place.

@@ -16,8 +16,8 @@ use chordal_kernel::{
     Alarms, ArcWords, Checkpoint, CheckpointMemory, CompletedRun, ConfiguredControl,
     ControlCandidate, ControlProfile, CycleState, EndReason, FoundSign, Kernel, KernelMemory,
     Modal, Outcome, ProgramName, ProgramPlace, ProgramSet, ProgrammingLanguage, RunOptions,
-    RunSink, SettingError, State, Statement, TextSymbol, Token, TokenClass, WordCompletion,
-    WordMeaning,
+    RunSink, SettingError, State, Statement, TextSymbol, TextSymbolKind, Token, TokenClass,
+    WordCompletion, WordMeaning,
 };
 use chordal_machine::{AXES, ControlName, Machine};
 
@@ -465,7 +465,12 @@ impl ProgramSet for LinesPrograms<'_> {
         let all = lines(FileId(0), self.text(FileId(0)), 0);
         let tools = all.filter(|(_, line)| line.words[0] == "TOOL");
         tools
-            .map(|(_, line)| TextSymbol { name: line.words.join(" "), range: line.span.range })
+            .map(|(_, line)| TextSymbol {
+                name: line.words.join(" "),
+                kind: TextSymbolKind::Tool,
+                range: line.span.range,
+                body: line.span.range,
+            })
             .collect()
     }
 

@@ -3,7 +3,7 @@
 use chordal_diagnostics::{FileId, SourceMap, TextRange};
 use chordal_kernel::{
     Checkpoint, CompletedRun, ConfiguredControl, ProgramName, ProgramPlace, ProgramSet, RunOptions,
-    RunSink, TextSymbol, Token, WordCompletion,
+    RunSink, TextSymbol, TextSymbolKind, Token, WordCompletion,
 };
 use chordal_machine::Machine;
 
@@ -89,12 +89,23 @@ impl ProgramSet for SinumerikPrograms<'_> {
         let own = self.texts.texts.iter().filter(|text| text.file == FileId(0));
         let mut symbols: Vec<TextSymbol> = own
             .filter(|text| text.unit.name.is_some())
-            .map(|text| TextSymbol { name: text.name.clone(), range: text.unit.head })
+            .map(|text| TextSymbol {
+                name: text.name.clone(),
+                kind: match text.unit.kind {
+                    ProgramUnitKind::Sub => TextSymbolKind::Subprogram,
+                    _ => TextSymbolKind::Program,
+                },
+                range: text.unit.head,
+                body: text.unit.range,
+            })
             .collect();
         for block in BlockReader::new(self.texts.text(FileId(0))) {
-            symbols.extend(
-                block.label.map(|label| TextSymbol { name: label.name, range: label.range }),
-            );
+            symbols.extend(block.label.map(|label| TextSymbol {
+                name: label.name,
+                kind: TextSymbolKind::Label,
+                range: label.range,
+                body: label.range,
+            }));
         }
         symbols
     }
