@@ -22,7 +22,7 @@ impl KlartextInterpreter<'_> {
         let mut lines = LineReader::new(text);
         let word: &[u8] = if lines.is_iso() { b"G98" } else { b"LBL" };
         loop {
-            lines.pass_lines_without(&[word]);
+            lines.pass_blocks_without(word);
             let Some(block) = lines.next() else { break };
             let has_label =
                 block.parts.iter().any(|part| contains_ignoring_case(part.slice(text), word));

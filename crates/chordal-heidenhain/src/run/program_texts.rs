@@ -108,7 +108,7 @@ pub fn blocks_with<'t>(
 ) -> impl Iterator<Item = crate::syntax::KlartextBlock> + 't {
     let mut lines = LineReader::new(text);
     let blocks = std::iter::from_fn(move || {
-        lines.pass_lines_without(&[word]);
+        lines.pass_blocks_without(word);
         lines.next()
     });
     blocks

@@ -19,11 +19,13 @@ mod planes;
 mod reader;
 mod statements;
 mod tokens;
+mod word_search;
 mod words;
 
 pub use ast::*;
 pub use operands::{OperandWord, ParameterBank, ParameterName, WordOperand};
 pub use parser::{KlartextReader, block_of_lines};
 pub use planes::{PlaneForm, PlanePositioning, PlaneWords};
-pub use reader::{KlartextLines, LineReader, contains_ignoring_case};
+pub use reader::{KlartextLines, LineReader};
 pub use tokens::{KlartextToken, KlartextTokenKind, scan_tokens};
+pub use word_search::contains_ignoring_case;

@@ -5,9 +5,10 @@ use chordal_diagnostics::TextRange;
 use super::ast::KlartextBlock;
 use super::cursor::TokenCursor;
 use super::iso::iso_statement;
-use super::reader::{KlartextLines, LineReader, contains_ignoring_case};
+use super::reader::{KlartextLines, LineReader};
 use super::statements::statement;
 use super::tokens::scan_tokens;
+use super::word_search::contains_ignoring_case;
 
 /// Reads the blocks of a text in their order, from any place on.
 #[derive(Clone, Debug)]
@@ -31,10 +32,10 @@ impl<'t> KlartextReader<'t> {
         self.lines.line()
     }
 
-    /// The next block that is more than a comment, if it contains one of these words; it is not taken.
+    /// The next block that is more than a comment, if it contains one of these words and is no straight move; it is not
+    /// taken.
     pub fn peek_with(&self, words: &[&[u8]]) -> Option<KlartextBlock> {
-        // Mostly it is a line that moves on.
-        if self.lines.next_is_line_without(words) {
+        if self.lines.next_is_straight() {
             return None;
         }
         let text = self.lines.text();

@@ -14,6 +14,12 @@ const PLAIN_AXES: usize = 6;
 /// Digits of a block number, or of an M function, at most.
 const MAX_DIGITS: usize = 9;
 
+/// Digits of a whole number that is exact in double precision.
+const EXACT_DIGITS: usize = 15;
+/// Powers of ten, which are exact in double precision.
+const POWERS_OF_TEN: [f64; EXACT_DIGITS + 1] =
+    [1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15];
+
 /// The place in a line.
 struct LineScan<'t> {
     text: &'t [u8],
@@ -55,13 +61,28 @@ impl LineScan<'_> {
         let is_negative = self.peek() == Some(b'-');
         self.at += usize::from(matches!(self.peek(), Some(b'+' | b'-')));
         let start = self.at;
-        while self.peek().is_some_and(|byte| byte.is_ascii_digit() || byte == b'.') {
+        let (mut digits, mut point) = (0_u64, None);
+        while let Some(byte) = self.peek() {
+            match byte {
+                b'0'..=b'9' => {
+                    digits = digits.wrapping_mul(10).wrapping_add(u64::from(byte - b'0'));
+                }
+                b'.' if point.is_none() => point = Some(self.at),
+                _ => break,
+            }
             self.at += 1;
         }
         if !self.is_at_break() {
             return None;
         }
-        let value: f64 = std::str::from_utf8(&self.text[start..self.at]).ok()?.parse().ok()?;
+        let places = point.map_or(0, |point| self.at - point - 1);
+        let length = self.at - start - usize::from(point.is_some());
+        let value = match length {
+            0 => return None,
+            // Both are exact, so that the quotient is the nearest number to the decimal.
+            1..=EXACT_DIGITS => digits as f64 / POWERS_OF_TEN[places],
+            _ => std::str::from_utf8(&self.text[start..self.at]).ok()?.parse().ok()?,
+        };
         Some(if is_negative { -value } else { value })
     }
 
@@ -165,6 +186,21 @@ mod tests {
             let plain = plain_line(bytes, trimmed, 1);
             assert_eq!(plain.as_ref(), Some(&block(bytes)), "{text}");
             assert_eq!(KlartextReader::new(bytes).next(), plain);
+        }
+    }
+
+    #[test]
+    fn numbers_are_the_nearest_to_their_decimals() {
+        let mut state = 7_u64;
+        for round in 0..100_000 {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let (digits, places) = (state >> (14 + round % 50), round % 9);
+            let text = format!("-{}.{:0places$}", digits / 7, digits % 10_u64.pow(places as u32));
+            let mut scan = LineScan { text: text.as_bytes(), at: 0, end: text.len() };
+            let expected: f64 = text.parse().expect("a number");
+            assert_eq!(scan.number(), Some(expected), "{text}");
         }
     }
 

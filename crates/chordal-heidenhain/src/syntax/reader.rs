@@ -4,6 +4,7 @@ use chordal_diagnostics::TextRange;
 
 use super::ast::KlartextBlock;
 use super::plain_line::plain_line;
+use super::word_search::{contains_ignoring_case, positions_ignoring_case};
 
 /// A block of a program before its words are read.
 #[derive(Clone, PartialEq, Eq, Debug)]
@@ -57,17 +58,13 @@ impl<'t> LineReader<'t> {
         self.line
     }
 
-    /// Whether the next block is one line, no comment, without any of some words: then it need not be read to know that.
-    pub fn next_is_line_without(&self, words: &[&[u8]]) -> bool {
+    /// Whether the next block is a straight move, so that it need not be read to know that.
+    pub fn next_is_straight(&self) -> bool {
         let rest = self.text.get(self.offset as usize..).unwrap_or(&[]);
-        let end = memchr::memchr(b'\n', rest).unwrap_or(rest.len());
-        let line = rest[..end].trim_ascii();
-        let digits = line.iter().take_while(|byte| byte.is_ascii_digit()).count();
-        let first = line[digits..].trim_ascii_start().first();
-        first.is_some_and(u8::is_ascii_alphabetic)
-            && line.last() != Some(&b'~')
-            && !begins_cycle(line)
-            && !words.iter().any(|word| contains_ignoring_case(line, word))
+        let rest = &rest[rest.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count()..];
+        let rest = &rest[rest.iter().take_while(|byte| byte.is_ascii_digit()).count()..];
+        let rest = &rest[rest.iter().take_while(|byte| matches!(byte, b' ' | b'\t')).count()..];
+        !self.is_iso && rest.first() == Some(&b'L') && rest.get(1) == Some(&b' ')
     }
 
     /// Goes to the block that begins at a byte, on a line.
@@ -101,23 +98,39 @@ impl<'t> LineReader<'t> {
         block
     }
 
-    /// Passes lines that are blocks by themselves and have none of some words.
-    pub fn pass_lines_without(&mut self, words: &[&[u8]]) {
-        while self.next_is_line_without(words) && self.next_line().is_some() {}
+    /// Goes on to the next block that may contain a word of letters; to the end of the text without one.
+    pub fn pass_blocks_without(&mut self, word: &[u8]) {
+        let from = self.offset as usize;
+        let rest = self.text.get(from..).unwrap_or(&[]);
+        let start = match positions_ignoring_case(rest, word).next() {
+            Some(found) => self.block_start(from + found),
+            None => self.text.len(),
+        };
+        self.line += memchr::memchr_iter(b'\n', &self.text[from..start]).count() as u32;
+        self.offset = start as u32;
     }
 
-    /// Whether the next line is one of the data of a cycle that is written without `~`: it is indented and begins with a
-    /// parameter and an equal sign.
+    /// The start of a line at a byte, or of one before it that begins the block; not before the next block.
+    fn block_start(&self, at: usize) -> usize {
+        let from = self.offset as usize;
+        let line_start = |end: usize| {
+            memchr::memrchr(b'\n', &self.text[from..end]).map_or(from, |place| from + place + 1)
+        };
+        let mut start = line_start(at);
+        while start > from {
+            let before = line_start(start - 1);
+            let goes_on = self.text[before..start].trim_ascii_end().last() == Some(&b'~');
+            if !goes_on && !is_cycle_data(&self.text[start..]) {
+                break;
+            }
+            start = before;
+        }
+        start
+    }
+
+    /// Whether the next line is one of the data of a cycle that is written without `~`.
     fn continues_cycle(&self) -> bool {
-        let rest = self.text.get(self.offset as usize..).unwrap_or(&[]);
-        let line = rest.split(|byte| *byte == b'\n').next().unwrap_or(&[]);
-        let inside = line.trim_ascii_start();
-        let digits = inside.get(1..).unwrap_or(&[]);
-        let count = digits.iter().take_while(|byte| byte.is_ascii_digit()).count();
-        inside.len() < line.len()
-            && inside.first().is_some_and(|first| first.eq_ignore_ascii_case(&b'Q'))
-            && count > 0
-            && digits[count..].trim_ascii_start().first() == Some(&b'=')
+        is_cycle_data(self.text.get(self.offset as usize..).unwrap_or(&[]))
     }
 }
 
@@ -141,18 +154,23 @@ impl Iterator for LineReader<'_> {
     }
 }
 
+/// Whether a line may be one of the data of a cycle: it is indented and begins with a parameter and an equal sign.
+fn is_cycle_data(text: &[u8]) -> bool {
+    if !matches!(text.first(), Some(b' ' | b'\t')) {
+        return false;
+    }
+    let line = text.split(|byte| *byte == b'\n').next().unwrap_or(&[]);
+    let inside = line.trim_ascii_start();
+    let digits = inside.get(1..).unwrap_or(&[]);
+    let count = digits.iter().take_while(|byte| byte.is_ascii_digit()).count();
+    inside.first().is_some_and(|first| first.eq_ignore_ascii_case(&b'Q'))
+        && count > 0
+        && digits[count..].trim_ascii_start().first() == Some(&b'=')
+}
+
 /// Whether a line defines a cycle that has its data in parameters.
 fn begins_cycle(line: &[u8]) -> bool {
     contains_ignoring_case(line, b"CYCL") && contains_ignoring_case(line, b"DEF")
-}
-
-/// Whether a text contains a word of letters in any case.
-pub fn contains_ignoring_case(text: &[u8], word: &[u8]) -> bool {
-    let Some(first) = word.first() else { return true };
-    let starts = memchr::memchr2_iter(first.to_ascii_uppercase(), first.to_ascii_lowercase(), text);
-    starts.into_iter().any(|at| {
-        text.get(at..at + word.len()).is_some_and(|found| found.eq_ignore_ascii_case(word))
-    })
 }
 
 /// Adds a line to its block; true if it ends with `~`, so that the next line belongs to the block, too.
@@ -220,6 +238,26 @@ mod tests {
         let text = "CYCL DEF 200\n  Q200=2\n  Q201=-5\nL X+1\n";
         assert_eq!(parts(text), [vec!["CYCL DEF 200", "Q200=2", "Q201=-5"], vec!["L X+1"]]);
         assert_eq!(parts("CYCL DEF 7.1 X+1\nQ1=2\n").len(), 2);
+    }
+
+    #[test]
+    fn blocks_with_a_word_are_found_from_their_first_line() {
+        let text = "BEGIN PGM A MM\nL X+1\nL Y+1\nCYCL DEF 200\n  Q200=2\n  Q201=-5 ;LBL\nL X+1 ~\n ~\n lbl\nL\n\
+                    LBL 7\n";
+        let mut lines = LineReader::new(text.as_bytes());
+        let mut found = Vec::new();
+        loop {
+            lines.pass_blocks_without(b"LBL");
+            let Some(block) = lines.next() else { break };
+            found.push((block.line, &text[block.range.start as usize..block.range.end as usize]));
+        }
+        let expected = [
+            (4, "CYCL DEF 200\n  Q200=2\n  Q201=-5 ;LBL"),
+            (7, "L X+1 ~\n ~\n lbl"),
+            (11, "LBL 7"),
+        ];
+        assert_eq!(found, expected);
+        assert_eq!(lines.line(), 12);
     }
 
     #[test]
