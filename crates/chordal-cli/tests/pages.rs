@@ -26,6 +26,7 @@ use chordal_editor::reference;
 const WALKS: &[&str] = &[
     "docs/from-fadal-to-haas.md",
     "docs/grbl.md",
+    "docs/getting-started/heidenhain.md",
     "docs/getting-started/lathe.md",
     "docs/getting-started/machinist.md",
     "docs/getting-started/post-developer.md",

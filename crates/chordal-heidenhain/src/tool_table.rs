@@ -1,6 +1,6 @@
 //! Tool tables of the control (`TOOL.T`): a line with the names of the columns at fixed places, and a line for each tool.
 
-use chordal_machine::{Machine, Tool};
+use chordal_machine::{Machine, Tool, ToolShape};
 
 /// Whether a text is a tool table.
 pub fn is_tool_table(text: &[u8]) -> bool {
@@ -66,6 +66,33 @@ pub fn take_tool_table(text: &[u8], machine: &mut Machine) {
         }
         let entry = machine.tools.entry(tool).or_default();
         take_row(entry, find("NAME"), &|name| number(name).map(|value| value * unit), &number);
+        if entry.shape.is_none() {
+            entry.shape = shape_of(entry, find("TYP").as_deref(), number("R2").is_some());
+        }
+    }
+}
+
+/// Tool types (TYP) with a shape that R, R2 and T-ANGLE do not describe: probes, turning tools, thread mills.
+const OTHER_TYPES: [&str; 9] = ["TCHP", "TURN", "GF", "GSF", "EP", "WSP", "BGF", "ZBGF", "BCKBOR"];
+
+/// The shape that the control's own simulation draws from R, R2, T-ANGLE and PITCH (TNC 640, tool table); `None` where
+/// these do not describe it.
+fn shape_of(tool: &Tool, kind: Option<&str>, has_corner_radius: bool) -> Option<ToolShape> {
+    let is_kind = |other: &&str| kind.is_some_and(|kind| kind.eq_ignore_ascii_case(other));
+    if OTHER_TYPES.iter().any(|other| is_kind(&other)) {
+        return None;
+    }
+    if tool.point_angle_rad.is_some() {
+        return Some(ToolShape::Drill);
+    }
+    if tool.pitch_mm.is_some() {
+        return Some(ToolShape::Tap);
+    }
+    let radius = tool.diameter_mm? / 2.0;
+    match tool.corner_radius_mm {
+        Some(corner) if corner >= radius => Some(ToolShape::Ball),
+        Some(_) => Some(ToolShape::Bull),
+        None => has_corner_radius.then_some(ToolShape::Flat),
     }
 }
 
@@ -135,6 +162,34 @@ mod tests {
         let drill = &machine.tools[&7];
         assert_eq!(drill.point_angle_rad, Some(118_f64.to_radians()));
         assert_eq!(drill.radius_mm(), Some(4.25));
+        assert_eq!((mill.shape, drill.shape), (Some(ToolShape::Flat), Some(ToolShape::Drill)));
+    }
+
+    #[test]
+    fn shapes_are_those_of_the_radii_the_point_and_the_type() {
+        let table = "BEGIN TOOL.T MM\n\
+            T  NAME   L     R    R2    T-ANGLE PITCH TYP\n\
+            1  BALL   +100  +3   +3    +0      +0    MILL\n\
+            2  BULL   +100  +6   +1    +0      +0    MILL_R\n\
+            3  SINK   +100  +6   +0    +90     +0    CSINK\n\
+            4  M8     +100  +4   +0    +0      +1.25 TAP\n\
+            5  THREAD +100  +4   +0    +0      +1.25 GF\n\
+            6  PROBE  +100  +3   +3    +0      +0    TCHP\n\
+            7  OLD    +100  +3\n[END]\n";
+        let mut machine = Machine::from_builtin("heidenhain-mill").expect("a machine");
+        machine.tools.entry(2).or_default().shape = Some(ToolShape::Form);
+        take_tool_table(table.as_bytes(), &mut machine);
+        let shapes: Vec<_> = machine.tools.values().map(|tool| tool.shape).collect();
+        let expected = [
+            Some(ToolShape::Ball),
+            Some(ToolShape::Form),
+            Some(ToolShape::Drill),
+            Some(ToolShape::Tap),
+            None,
+            None,
+            None,
+        ];
+        assert_eq!(shapes, expected);
     }
 
     #[test]

@@ -88,3 +88,22 @@ fn what_is_not_read_is_one_error() {
     }
     assert!(seen >= 20, "{seen}");
 }
+
+/// Programs of HEIDENHAIN controls that turn tables are run on a machine that has them.
+#[test]
+fn rotary_axes_choose_the_machine() {
+    let text =
+        |line: &str| format!("BEGIN PGM A MM\nTOOL CALL 1 Z S800\n{line}\nM30\nEND PGM A MM\n");
+    for (line, machine) in [
+        ("L X+10 Y+5 R0 FMAX", "heidenhain-mill"),
+        ("C X+10 Y+5 DR+", "heidenhain-mill"),
+        ("PLANE RESET TURN FMAX", "heidenhain-ac-trunnion"),
+        ("L A+0 C+0 FMAX", "heidenhain-ac-trunnion"),
+        ("L X+10 IC+30 FMAX", "heidenhain-ac-trunnion"),
+        ("C+20 F500 M128", "heidenhain-ac-trunnion"),
+    ] {
+        let loaded = labelled::load(&text(line));
+        assert_eq!(loaded.control(), "heidenhain", "{line}");
+        assert_eq!(loaded.machine().name, machine, "{line}");
+    }
+}

@@ -31,12 +31,34 @@ const SIGNS: &[RecognitionEvidence] = &[
     ),
     evidence(RecognitionSign::Code(&["CC X", "CC Y", "CC IX"]), 3, "CC is a centre"),
     evidence(
-        RecognitionSign::Code(&["M128", "FUNCTION TCPM", "PLANE SPATIAL", "PLANE VECTOR"]),
+        RecognitionSign::Code(&[
+            "M128",
+            "FUNCTION TCPM",
+            "PLANE SPATIAL",
+            "PLANE VECTOR",
+            "PLANE RESET",
+            "PLANE EULER",
+            "PLANE POINTS",
+            "PLANE RELATIV",
+            "PLANE AXIAL",
+            "PLANE PROJECTED",
+        ]),
         4,
         "M128, TCPM or PLANE is for a machine with rotary axes",
     )
     .on("heidenhain-ac-trunnion"),
+    evidence(RecognitionSign::Block("A|C M128"), 2, "M128 stands with a rotary axis")
+        .on("heidenhain-ac-trunnion"),
+    evidence(
+        RecognitionSign::Code(&[" A+", " A-", " C+", " C-", " IA+", " IA-", " IC+", " IC-"]),
+        1,
+        "A or C turns",
+    )
+    .on("heidenhain-ac-trunnion"),
     // DIN/ISO programs.
+    evidence(RecognitionSign::Code(&[" G71 *", " G71*", " G70 *", " G70*"]), 8, "* ends a block"),
+    evidence(RecognitionSign::Code(&["N99999999 %"]), 12, "N99999999 ends a program"),
+    evidence(RecognitionSign::Code(&["D00 Q", "D01 Q", "D02 Q", "D03 Q"]), 6, "D calculates"),
     evidence(RecognitionSign::Block("G30 G17|G18|G19 X Y Z"), 8, "G30 with a plane is the blank"),
     evidence(RecognitionSign::Block("G31 X Y Z !F"), 3, "G31 without F is the blank"),
     evidence(RecognitionSign::Block("G99 T L R"), 8, "G99 gives length and radius of a tool"),

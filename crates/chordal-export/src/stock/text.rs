@@ -46,14 +46,14 @@ pub fn stock_text(found: &StockReport) -> String {
     text
 }
 
-/// What the verdict rests on: stock from a comment, a work offset that may have been set with the tool.
+/// What the verdict rests on: stock from the program, a work offset that may have been set with the tool.
 pub(super) fn stock_premise_text(report: &Report) -> String {
     let says = |code: Code, severity: Severity| {
         report.diagnostics.iter().any(|found| found.code == code && found.severity == severity)
     };
     let mut text = String::new();
     if says(Code::StockFromComment, Severity::Note) {
-        text += "this holds for the stock that a comment of the program describes: no setup gives one\n";
+        text += "this holds for the stock that the program describes: no setup gives one\n";
     }
     if says(Code::TipNotKnown, Severity::Note) {
         text += "this holds only where Z0 was set with the tool: its length is not given, and none is in force\n";

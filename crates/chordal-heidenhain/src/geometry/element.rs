@@ -79,8 +79,8 @@ pub fn arc_fault_mm(start: [f64; 2], end: [f64; 2], center: [f64; 2]) -> f64 {
     distance(end, center) - distance(start, center)
 }
 
-/// The arc about a centre, whose ends may lie at slightly different distances from it: its centre moves to the bisector
-/// of the chord, at the distance of the start, on its own side. The result is the centre and the angle, rad.
+/// The arc about a centre, whose ends may lie at slightly different distances from it: its centre moves by the shortest
+/// distance to the bisector of the chord. The result is the centre and the angle, rad.
 pub fn arc_about(
     start: [f64; 2],
     end: [f64; 2],
@@ -89,13 +89,12 @@ pub fn arc_about(
 ) -> ([f64; 2], f64) {
     let chord = [end[0] - start[0], end[1] - start[1]];
     let length = libm::hypot(chord[0], chord[1]);
-    let radius = distance(start, center);
     let mut fitted = center;
     if length > COINCIDENT_POINTS_MM && arc_fault_mm(start, end, center) != 0.0 {
-        let side = chord[0] * (center[1] - start[1]) - chord[1] * (center[0] - start[0]);
-        let height = (radius * radius - length * length / 4.0).max(0.0).sqrt() * side.signum();
-        let normal = [-chord[1] / length, chord[0] / length];
-        fitted = [0, 1].map(|axis| start[axis] + chord[axis] / 2.0 + normal[axis] * height);
+        let along = [chord[0] / length, chord[1] / length];
+        let off = [0, 1].map(|axis| start[axis] + chord[axis] / 2.0 - center[axis]);
+        let by = off[0] * along[0] + off[1] * along[1];
+        fitted = [0, 1].map(|axis| center[axis] + along[axis] * by);
     }
     (fitted, sweep_of(start, end, fitted, direction))
 }
@@ -168,6 +167,14 @@ mod tests {
         let (center, _) = arc_about([10.0, 0.0], [0.0, 10.01], [0.0; 2], TurnDirection::Ccw);
         let radii = [[10.0, 0.0], [0.0, 10.01]].map(|end| distance(center, end));
         assert!((radii[0] - radii[1]).abs() < 1e-12);
-        assert!((radii[0] - 10.0).abs() < 1e-12);
+        // It moves by half of the difference at most where the ends lie across, and along the chord.
+        assert!((distance(center, [0.0; 2]) - 0.00707).abs() < 1e-5, "{center:?}");
+    }
+
+    #[test]
+    fn half_circles_with_rounded_radii_keep_their_centers() {
+        let (center, sweep) = arc_about([-40.01, 0.0], [40.0, 0.0], [0.0; 2], TurnDirection::Cw);
+        near(center, [-0.005, 0.0]);
+        assert!((sweep.to_degrees() + 180.0).abs() < 1e-9);
     }
 }

@@ -7,7 +7,7 @@ use chordal_kernel::EndReason;
 use super::interpreter::KlartextInterpreter;
 use super::run_state::KlartextFlow;
 use crate::syntax::{KlartextFormula, ParameterBank, ParameterName, TextPart, WordOperand};
-use crate::values::formula_value;
+use crate::values::{FormulaError, formula_value};
 
 impl KlartextInterpreter<'_> {
     /// The value of a word; `None` if it has none, which is reported.
@@ -28,6 +28,10 @@ impl KlartextInterpreter<'_> {
     pub(super) fn assign(&mut self, target: ParameterName, formula: &KlartextFormula) {
         match formula_value(formula, &self.parameters) {
             Ok(value) => self.parameters.set(target, value),
+            Err(FormulaError::Unset(range, name)) if self.parameters.is_unknown(name) => {
+                self.report_unset(range, name);
+                self.parameters.set_unknown(target);
+            }
             Err(error) => {
                 self.report_formula(error);
                 // What follows is read with a value, so that one problem does not become many.

@@ -68,7 +68,7 @@ impl KlartextInterpreter<'_> {
         self.modes.blank_record.corners = (is_complete && is_plain).then_some(corners);
     }
 
-    /// After a move that began at a position of the preset: a cut is remembered, a rapid is checked.
+    /// After a move that began at a known position of the preset: a cut is remembered, a rapid is checked.
     pub(super) fn follow_blank(&mut self, from: &Position, element: &ContourElement) {
         let state = &self.kernel.state;
         let is_known = state.part_frame.is_none() && state.known.covers(AxisMask::LINEAR);

@@ -194,6 +194,10 @@ impl KlartextInterpreter<'_> {
     ) -> KlartextFlow {
         let range = self.here;
         let holds = match condition {
+            JumpCondition::Defined(name, _) if self.parameters.is_unknown(*name) => {
+                self.report_unset(range, *name);
+                return KlartextFlow::Next;
+            }
             JumpCondition::Defined(name, is_defined) => {
                 self.parameters.is_set(*name) == *is_defined
             }

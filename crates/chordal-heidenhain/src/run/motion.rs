@@ -232,8 +232,11 @@ impl KlartextInterpreter<'_> {
         is_rapid: bool,
     ) {
         let from = self.kernel.state.position;
+        let starts_known = self.kernel.state.known.covers(AxisMask::LINEAR);
         self.give_element(words, element, end, named, is_rapid);
-        self.follow_blank(&from, element);
+        if starts_known {
+            self.follow_blank(&from, element);
+        }
     }
 
     /// Gives an element to the kernel.

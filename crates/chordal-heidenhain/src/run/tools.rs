@@ -158,12 +158,10 @@ impl KlartextInterpreter<'_> {
     fn set_tool_parameters(&mut self) {
         let tool = self.kernel.state.tool;
         let unit = self.unit_mm();
-        if let Some(radius) = self.kernel.state.offsets.radius_mm(tool) {
-            self.parameters.set_shared(108, radius / unit);
-        }
-        if let Some(length) = self.kernel.state.offsets.length_mm(tool) {
-            self.parameters.set_shared(114, length / unit);
-        }
+        let radius = self.kernel.state.offsets.radius_mm(tool).map(|radius| radius / unit);
+        self.parameters.set_shared_if_known(108, radius);
+        let length = self.kernel.state.offsets.length_mm(tool).map(|length| length / unit);
+        self.parameters.set_shared_if_known(114, length);
         self.parameters.set_shared(109, self.tool_axis() as f64);
     }
 }

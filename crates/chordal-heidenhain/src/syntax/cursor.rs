@@ -71,6 +71,14 @@ impl<'t> TokenCursor<'t> {
         is_sign
     }
 
+    /// Leaves out the last token if it is this sign.
+    pub fn drop_last_sign(&mut self, sign: u8) {
+        let last = self.tokens.last().map(|token| &token.kind);
+        if last == Some(&KlartextTokenKind::Sign(sign)) {
+            self.tokens = &self.tokens[..self.tokens.len() - 1];
+        }
+    }
+
     /// The text from the next token to the end of the block.
     pub fn rest(&self) -> TextRange {
         let from = self.tokens.get(self.at).or(self.tokens.last());

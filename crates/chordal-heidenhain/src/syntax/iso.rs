@@ -9,7 +9,7 @@ use super::ast::{
 };
 use super::cursor::TokenCursor;
 use super::cycles::parameters;
-use super::functions::system_numbers;
+use super::functions::{assignment, system_numbers};
 use super::operands::{OperandWord, WordOperand};
 use super::tokens::KlartextTokenKind;
 use super::words::{function_word, unread_token};
@@ -27,6 +27,10 @@ pub fn iso_statement(cursor: &mut TokenCursor<'_>, has_number: bool) -> Klartext
     if cursor.peek_word() == Some("D") {
         cursor.take();
         return numbered_function(cursor).unwrap_or_else(|| unread(cursor, first.range));
+    }
+    if matches!(cursor.peek_word(), Some("Q" | "QL" | "QR" | "QS")) {
+        cursor.drop_last_sign(b'*');
+        return assignment(cursor);
     }
     if cursor.peek_word() == Some("L")
         && let Some(call) = label_call(cursor)

@@ -21,6 +21,14 @@ pub struct KlartextLines {
     pub is_iso: bool,
 }
 
+impl KlartextLines {
+    /// Whether it is a comment, with or without a block number.
+    fn is_comment(&self, text: &[u8]) -> bool {
+        !self.comments.is_empty()
+            && self.parts.iter().all(|part| part.slice(text).iter().all(u8::is_ascii_digit))
+    }
+}
+
 /// Reads the blocks of a text in their order, from any place on.
 #[derive(Clone, Debug)]
 pub struct LineReader<'t> {
@@ -128,6 +136,14 @@ impl<'t> LineReader<'t> {
         start
     }
 
+    /// Whether the next line has a block number, so that it does not go on with a comment.
+    fn next_has_number(&self) -> bool {
+        let rest = self.text.get(self.offset as usize..).unwrap_or(&[]);
+        let line = rest.split(|byte| *byte == b'\n').next().unwrap_or(&[]).trim_ascii_start();
+        let digits = line.iter().take_while(|byte| byte.is_ascii_digit()).count();
+        digits > 0 && line.get(digits).is_none_or(u8::is_ascii_whitespace)
+    }
+
     /// Whether the next line is one of the data of a cycle that is written without `~`.
     fn continues_cycle(&self) -> bool {
         is_cycle_data(self.text.get(self.offset as usize..).unwrap_or(&[]))
@@ -145,9 +161,18 @@ impl Iterator for LineReader<'_> {
             KlartextLines { range: first, line, parts: Vec::new(), comments: Vec::new(), is_iso };
         let mut goes_on = add_line(self.text, first, &mut block);
         let is_cycle = begins_cycle(first.slice(self.text));
+        let is_comment = goes_on && block.is_comment(self.text);
         while goes_on || is_cycle && self.continues_cycle() {
+            if is_comment && self.next_has_number() {
+                break;
+            }
             let Some(next) = self.next_line() else { break };
             block.range.end = next.end.max(block.range.end);
+            if is_comment {
+                block.comments.push(next);
+                goes_on = next.slice(self.text).last() == Some(&b'~');
+                continue;
+            }
             goes_on = add_line(self.text, next, &mut block);
         }
         Some(block)
@@ -238,6 +263,17 @@ mod tests {
         let text = "CYCL DEF 200\n  Q200=2\n  Q201=-5\nL X+1\n";
         assert_eq!(parts(text), [vec!["CYCL DEF 200", "Q200=2", "Q201=-5"], vec!["L X+1"]]);
         assert_eq!(parts("CYCL DEF 7.1 X+1\nQ1=2\n").len(), 2);
+    }
+
+    #[test]
+    fn comments_go_on_after_a_tilde() {
+        let text = "3 ;LONG COMMENT ~\n GOES ON ~\n AND ENDS\n4 ; OTHER -~\n5 L X+1\nQ200=2 ;TEXT ~\nQ201=3\n";
+        let blocks: Vec<_> = LineReader::new(text.as_bytes()).collect();
+        let shape = |block: &KlartextLines| (block.line, block.parts.len(), block.comments.len());
+        assert_eq!(
+            blocks.iter().map(shape).collect::<Vec<_>>(),
+            [(1, 1, 3), (4, 1, 1), (5, 1, 0), (6, 2, 1)]
+        );
     }
 
     #[test]

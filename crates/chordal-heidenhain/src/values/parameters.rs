@@ -1,8 +1,12 @@
 //! The parameters of a run.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+use std::ops::Range;
 
 use crate::syntax::{ParameterBank, ParameterName};
+
+/// The Q parameters that the control itself sets: tool, spindle, results of probing.
+const SYSTEM_PARAMETERS: Range<u32> = 100..200;
 
 /// The parameters with a value.
 #[derive(Clone, Default, PartialEq, Debug)]
@@ -11,12 +15,41 @@ pub struct ParameterStore {
     /// A parameter that was never set is 0, as on old controls.
     pub unset_is_zero: bool,
     texts: BTreeMap<u32, String>,
+    /// Set from something that is not known here.
+    unknown: BTreeSet<ParameterName>,
 }
 
 impl ParameterStore {
-    /// The value of a parameter; `None` if it was never set.
+    /// The value of a parameter; `None` if it was never set, or is not known.
     pub fn number(&self, name: ParameterName) -> Option<f64> {
-        self.numbers.get(&name).copied().or(self.unset_is_zero.then_some(0.0))
+        let is_zero = self.unset_is_zero && !self.is_unknown(name);
+        self.numbers.get(&name).copied().or(is_zero.then_some(0.0))
+    }
+
+    /// Whether a parameter has a value on the control that is not known here: it depends on such a value, keeps what
+    /// another program has set (QR), or is set by the control itself.
+    pub fn is_unknown(&self, name: ParameterName) -> bool {
+        let is_of_control = match name.bank {
+            ParameterBank::Retained => true,
+            ParameterBank::Shared => SYSTEM_PARAMETERS.contains(&name.number),
+            ParameterBank::Local | ParameterBank::Text => false,
+        };
+        self.unknown.contains(&name) || is_of_control && !self.numbers.contains_key(&name)
+    }
+
+    /// Forgets the value of a parameter, which is not known from here on.
+    pub fn set_unknown(&mut self, name: ParameterName) {
+        self.numbers.remove(&name);
+        self.unknown.insert(name);
+    }
+
+    /// Sets a Q parameter, or forgets its value.
+    pub fn set_shared_if_known(&mut self, number: u32, value: Option<f64>) {
+        let name = ParameterName { bank: ParameterBank::Shared, number };
+        match value {
+            Some(value) => self.set(name, value),
+            None => self.set_unknown(name),
+        }
     }
 
     /// Whether a parameter was set.
@@ -26,6 +59,9 @@ impl ParameterStore {
 
     /// Sets a parameter.
     pub fn set(&mut self, name: ParameterName, value: f64) {
+        if !self.unknown.is_empty() {
+            self.unknown.remove(&name);
+        }
         self.numbers.insert(name, value);
     }
 
