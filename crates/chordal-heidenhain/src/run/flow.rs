@@ -63,9 +63,14 @@ impl KlartextInterpreter<'_> {
         let Some(head) = self.programs.texts[program].head.clone() else { return };
         let Some((range, name, is_inch)) = end else {
             let last = LineReader::new(text).last().map_or(head.range, |block| block.range);
-            let message = "END PGM is missing: the program may be cut off";
+            let unit = if head.is_inch { "G70" } else { "G71" };
+            let (line, written) = match LineReader::new(text).is_iso() {
+                true => ("its last line", format!("N99999999 %{} {unit} *", head.name)),
+                false => ("END PGM", format!("END PGM {}", head.name)),
+            };
+            let message = format!("{line} is missing: the program may be cut off");
             let diagnostic = Diagnostic::new(Code::ProgramWithoutEnd, self.span(last), message);
-            let help = format!("write END PGM {} after the last block", head.name);
+            let help = format!("write {written} after the last block");
             return self.kernel.report(diagnostic.help(help));
         };
         let end_name = String::from_utf8_lossy(name.slice(text)).into_owned();

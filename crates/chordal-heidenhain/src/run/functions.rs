@@ -1,7 +1,7 @@
 //! M functions and the feed of a block.
 
 use chordal_command::{FeedMode, SpindleState};
-use chordal_diagnostics::Code;
+use chordal_diagnostics::{Code, Diagnostic};
 
 use super::interpreter::KlartextInterpreter;
 use crate::alarms::WRONG_RPM;
@@ -97,7 +97,11 @@ impl KlartextInterpreter<'_> {
                 Some(value) => self.set_feed(feed, value, mode),
                 None => {
                     let message = "F AUTO uses the feed of TOOL CALL, which has none";
-                    self.problem(Code::MissingFeed, feed.range, message);
+                    let diagnostic =
+                        Diagnostic::new(Code::MissingFeed, self.span(feed.range), message);
+                    self.kernel.report(diagnostic.help("write F into the TOOL CALL before it"));
+                    // One message is enough for the block.
+                    self.kernel.set_unknown_feed();
                 }
             },
             FeedValue::PerRevolution(value) => {

@@ -2,12 +2,12 @@
 
 use chordal_diagnostics::TextRange;
 
-use super::ast::KlartextBlock;
+use super::ast::{KlartextBlock, KlartextFaultKind};
 use super::cursor::TokenCursor;
 use super::iso::iso_statement;
 use super::reader::{KlartextLines, LineReader};
 use super::statements::statement;
-use super::tokens::scan_tokens;
+use super::tokens::{KlartextTokenKind, scan_tokens};
 use super::word_search::contains_ignoring_case;
 
 /// Reads the blocks of a text in their order, from any place on.
@@ -87,7 +87,7 @@ pub fn block_of_lines(text: &[u8], lines: &KlartextLines) -> KlartextBlock {
         return KlartextBlock { range, line, number, is_skippable, statement, faults };
     }
     // The number of the block stands before a word; a sign before it may mark the block as one to skip.
-    let number = cursor.take_whole();
+    let number = lettered_number(&mut cursor).or_else(|| cursor.take_whole());
     is_skippable |= cursor.take_sign(b'/');
     let statement = statement(&mut cursor);
     KlartextBlock {
@@ -98,4 +98,20 @@ pub fn block_of_lines(text: &[u8], lines: &KlartextLines) -> KlartextBlock {
         statement,
         faults: cursor.faults,
     }
+}
+
+/// `N12`: the number of a block as other languages write it, which is reported.
+fn lettered_number(cursor: &mut TokenCursor<'_>) -> Option<u32> {
+    let letter = cursor.peek()?.range;
+    let is_number = cursor.peek_word() == Some("N")
+        && matches!(cursor.peek_after(1)?.kind, KlartextTokenKind::Number(_));
+    if !is_number {
+        return None;
+    }
+    cursor.take();
+    let number = cursor.take_whole()?;
+    let range = cursor.range_from(letter);
+    let message = format!("block numbers of this language have no N: write {number}");
+    cursor.fault(KlartextFaultKind::Unreadable, range, message);
+    Some(number)
 }

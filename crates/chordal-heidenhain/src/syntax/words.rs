@@ -26,7 +26,19 @@ pub fn unread_token(cursor: &mut TokenCursor<'_>) {
     let before = token.range.start.checked_sub(1);
     let byte = |at: u32| cursor.text.get(at as usize).copied().unwrap_or(b' ');
     let follows_digit = before.is_some_and(|at| byte(at).is_ascii_digit());
-    let shown = cursor.shown(token.range);
+    let mut range = token.range;
+    let is_word = matches!(token.kind, KlartextTokenKind::Word(_));
+    // The number of an unknown word is part of it: one fault, not two.
+    if is_word
+        && !follows_digit
+        && let Some(next) = cursor.peek()
+        && matches!(next.kind, KlartextTokenKind::Number(_))
+        && next.range.start == range.end
+    {
+        cursor.take();
+        range = range.cover(next.range);
+    }
+    let shown = cursor.shown(range);
     let (kind, message) = match &token.kind {
         KlartextTokenKind::Word(word) if follows_digit && matches!(word.as_str(), "O" | "I") => {
             let digit = if word == "O" { "0" } else { "1" };
@@ -40,7 +52,7 @@ pub fn unread_token(cursor: &mut TokenCursor<'_>) {
         }
         _ => (KlartextFaultKind::Unreadable, format!("`{shown}` is not read in this block")),
     };
-    cursor.fault(kind, token.range, message);
+    cursor.fault(kind, range, message);
 }
 
 /// Reads one word; false, with nothing taken, if none begins here.
