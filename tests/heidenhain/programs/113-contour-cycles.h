@@ -1,0 +1,69 @@
+0 BEGIN PGM KONTURTASCHE MM
+1 ; = clean
+2 BLK FORM 0.1 Z X+0 Y+0 Z-25
+3 BLK FORM 0.2 X+100 Y+70 Z+0
+4 TOOL DEF 1 L+0 R+4.9
+5 TOOL DEF 2 L+0 R+5
+6 TOOL CALL 1 Z S1500
+7 L Z+60 R0 FMAX M3 ; = Z+60
+8 CYCL DEF 14.0 KONTUR
+9 CYCL DEF 14.1 KONTURLABEL 1
+10 CYCL DEF 20 KONTUR-DATEN ~
+  Q1=-10      ;Q1 ~
+  Q2=+1       ;Q2 ~
+  Q3=+0.3     ;Q3 ~
+  Q4=+0       ;Q4 ~
+  Q5=+0       ;Q5 ~
+  Q6=+2       ;Q6 ~
+  Q7=+40      ;Q7 ~
+  Q8=+0.1     ;Q8 ~
+  Q9=+1       ;Q9
+11 CYCL DEF 21 VORBOHREN ~
+  Q10=-5      ;Q10 ~
+  Q11=+120    ;Q11 ~
+  Q13=+2      ;Q13
+12 CYCL CALL ; = Z+40 ; = lowest Z-10
+13 L Z+60 R0 FMAX ; = Z+60
+14 TOOL CALL 2 Z S4000
+15 L Z+60 R0 FMAX M3 ; = Z+60
+16 CYCL DEF 22 AUSRAEUMEN ~
+  Q10=-5      ;Q10 ~
+  Q11=+120    ;Q11 ~
+  Q12=+500    ;Q12 ~
+  Q18=+0      ;Q18 ~
+  Q19=+150    ;Q19
+17 CYCL CALL M3 ; = Z+40 ; = lowest Z-10 ; = min X+25.3 Y+20.3 ; = max X+74.7 Y+49.7
+18 CYCL DEF 24 SCHLICHTEN SEITE ~
+  Q9=+1       ;Q9 ~
+  Q10=-10     ;Q10 ~
+  Q11=+120    ;Q11 ~
+  Q12=+300    ;Q12 ~
+  Q14=+0      ;Q14
+19 CYCL CALL ; = Z+40 ; = lowest Z-10 ; = min X+25 Y+20 ; = max X+75 Y+50
+20 ; second pocket, with something left on the floor
+21 CYCL DEF 14.0 KONTUR
+22 CYCL DEF 14.1 KONTURLABEL 2
+23 CYCL DEF 20 KONTUR-DATEN Q1=-6 Q2=+1 Q3=+0 Q4=+0.2 Q5=+0 Q6=+2 Q7=+30 Q8=+0.1 Q9=+1
+24 CYCL DEF 22 AUSRAEUMEN Q10=-3 Q11=+120 Q12=+500 Q18=+0 Q19=+150
+25 CYCL CALL ; = Z+30 ; = lowest Z-5.8 ; = min X+20 Y+20 ; = max X+80 Y+50
+26 CYCL DEF 23 SCHLICHTEN TIEFE Q11=+120 Q12=+400
+27 CYCL CALL ; = Z+30 ; = lowest Z-6
+28 L Z+60 R0 FMAX ; = Z+60
+29 M30 ; = end Z+60
+30 LBL 1
+31 L X+20 Y+35 RR
+32 L Y+55
+33 L X+80
+34 L Y+15
+35 L X+20
+36 L Y+35
+37 LBL 0
+38 LBL 2
+39 L X+15 Y+35 RR
+40 L Y+55
+41 L X+85
+42 L Y+15
+43 L X+15
+44 L Y+35
+45 LBL 0
+46 END PGM KONTURTASCHE MM
