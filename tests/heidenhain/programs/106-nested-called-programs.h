@@ -3,9 +3,9 @@
 2 BLK FORM 0.1 Z X+0 Y+0 Z-12
 3 BLK FORM 0.2 X+90 Y+60 Z+0
 4 TOOL CALL 7 Z S2800
-5 L Z+40 R0 FMAX M3 ; = Z+40
-6 /L Z+40 FMAX ; = Z+40
-7 /M1
+5 /M1
+6 L Z+40 R0 FMAX M3 ; = Z+40
+7 /L Z+40 FMAX
 8 FN 0: Q2 = +4 ; = Q2=+4
 9 FN 0: Q3 = +15 ; = Q3=+15
 10 FN 0: Q4 = -5.5 ; = Q4=-5.5
