@@ -9,7 +9,7 @@
 8 L X+0 Y+0 R0 FMAX M8 ; = X+0 Y+0
 9 L Z+15 FMAX ; = X+0 Y+0 Z+15
 10 L Z+2 FMAX ; = X+0 Y+0 Z+2
-11 L Z-21 F2000 ; = X+0 Y+0 Z-21
+11 L Z-21 F300 ; = X+0 Y+0 Z-21
 12 L X+3 Y-4 F200 ; = X+3 Y-4 Z-21
 13 CC X+3 Y+0
 14 CP IPA+90 IZ+0.25 DR+ ; = X+7 Y+0 Z-20.75 ; = centre X+3 Y+0
