@@ -18,10 +18,7 @@
   Q7=+40      ;Q7 ~
   Q8=+0.1     ;Q8 ~
   Q9=+1       ;Q9
-11 CYCL DEF 21 VORBOHREN ~
-  Q10=-5      ;Q10 ~
-  Q11=+120    ;Q11 ~
-  Q13=+2      ;Q13
+11 CYCL DEF 21 VORBOHREN Q10=-5 Q11=+120 Q13=+2
 12 CYCL CALL ; = Z+40 ; = lowest Z-10
 13 L Z+60 R0 FMAX ; = Z+60
 14 TOOL CALL 2 Z S4000
@@ -33,12 +30,7 @@
   Q18=+0      ;Q18 ~
   Q19=+150    ;Q19
 17 CYCL CALL M3 ; = Z+40 ; = lowest Z-10 ; = min X+25.3 Y+20.3 ; = max X+74.7 Y+49.7
-18 CYCL DEF 24 SCHLICHTEN SEITE ~
-  Q9=+1       ;Q9 ~
-  Q10=-10     ;Q10 ~
-  Q11=+120    ;Q11 ~
-  Q12=+300    ;Q12 ~
-  Q14=+0      ;Q14
+18 CYCL DEF 24 SCHLICHTEN SEITE Q9=+1 Q10=-10 Q11=+120 Q12=+300 Q14=+0
 19 CYCL CALL ; = Z+40 ; = lowest Z-10 ; = min X+25 Y+20 ; = max X+75 Y+50
 20 ; second pocket, with something left on the floor
 21 CYCL DEF 14.0 KONTUR
@@ -46,7 +38,9 @@
 23 CYCL DEF 20 KONTUR-DATEN Q1=-6 Q2=+1 Q3=+0 Q4=+0.2 Q5=+0 Q6=+2 Q7=+30 Q8=+0.1 Q9=+1
 24 CYCL DEF 22 AUSRAEUMEN Q10=-3 Q11=+120 Q12=+500 Q18=+0 Q19=+150
 25 CYCL CALL ; = Z+30 ; = lowest Z-5.8 ; = min X+20 Y+20 ; = max X+80 Y+50
-26 CYCL DEF 23 SCHLICHTEN TIEFE Q11=+120 Q12=+400
+26 CYCL DEF 23 SCHLICHTEN TIEFE ~
+  Q11=+120 ~
+  Q12=+400
 27 CYCL CALL ; = Z+30 ; = lowest Z-6
 28 L Z+60 R0 FMAX ; = Z+60
 29 M30 ; = end Z+60
