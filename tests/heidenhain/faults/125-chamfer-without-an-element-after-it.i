@@ -1,0 +1,14 @@
+%F125 G71 *
+; = kind chamfer without an element after it
+N10 G30 G17 X+0 Y+0 Z-20*
+N20 G31 G90 X+100 Y+80 Z+0*
+N30 G99 T1 L+0 R+5*
+N40 T1 G17 S3000*
+N50 G00 G40 G90 Z+50 M3*
+N60 X+20 Y+20*
+N70 Z+2*
+N80 G01 Z-3 F200*
+N90 X+60 F300*
+N100 G24 R3* ; = fault
+N110 M30* ; = fault
+N99999999 %F125 G71 *

@@ -1,0 +1,18 @@
+0 BEGIN PGM F127 MM
+1 ; = kind rounding in a subprogram that ends with it
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+20 Y+20 R0 FMAX
+8 L Z+2 FMAX
+9 L Z-3 F200
+10 CALL LBL 3
+11 L Z+50 R0 FMAX
+12 M30
+13 LBL 3
+14 L IX+20 F300
+15 RND R3 ; = fault
+16 LBL 0 ; = fault
+17 END PGM F127 MM

@@ -1,0 +1,19 @@
+0 BEGIN PGM F139 INCH
+1 ; = kind inner arc smaller than the tool in inches ; = says TOOL RADIUS TOO LARGE
+2 BLK FORM 0.1 Z X+0 Y+0 Z-.75
+3 BLK FORM 0.2 X+4 Y+3 Z+0
+4 TOOL DEF 2 L+0 R+.25
+5 TOOL CALL 2 Z S2500
+6 L Z+2 R0 FMAX M3
+7 L X+2 Y+1.5 FMAX
+8 L Z+.1 FMAX
+9 L Z-.1 F40
+10 L X+2 Y+.5 RL F80
+11 L X+3
+12 CC X+3 Y+.65
+13 C X+3 Y+.8 DR+ ; = fault
+14 L X+1
+15 L Y+1.5 R0
+16 L Z+2 FMAX
+17 M30
+18 END PGM F139 INCH

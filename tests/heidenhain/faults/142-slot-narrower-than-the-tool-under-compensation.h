@@ -1,0 +1,20 @@
+0 BEGIN PGM F142 MM
+1 ; = kind slot narrower than the tool under compensation ; = says TOOL RADIUS TOO LARGE
+2 BLK FORM 0.1 Z X-50 Y-40 Z-25
+3 BLK FORM 0.2 X+50 Y+40 Z+0
+4 TOOL DEF 12 L+0 R+4
+5 TOOL CALL 12 Z S4200 F600
+6 L Z+60 R0 FMAX M13
+7 L X+0 Y+0 R0 FMAX
+8 L Z+2 FMAX
+9 L Z-4 F150
+10 L X+0 Y-3 RL F300
+11 L X+30
+12 L Y+3 ; = fault
+13 L X-30 ; = fault
+14 L Y-3 ; = fault
+15 L X+0
+16 L Y+0 R0
+17 L Z+60 R0 FMAX M9
+18 M30
+19 END PGM F142 MM

@@ -1,0 +1,19 @@
+0 BEGIN PGM F143 MM
+1 ; = kind notch narrower than the tool in the contour ; = says TOOL RADIUS TOO LARGE
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X-20 Y+90 R0 FMAX
+8 L Z-3 F500
+9 L X+0 Y+70 RL F300
+10 L X+40
+11 L Y+60 ; = fault
+12 L X+46 ; = fault
+13 L Y+70 ; = fault
+14 L X+95
+15 L Y+120 R0
+16 L Z+50 R0 FMAX
+17 M30
+18 END PGM F143 MM

@@ -1,0 +1,15 @@
+0 BEGIN PGM F148 MM
+1 ; = kind compensation started at rapid through the blank
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X-20 Y+40 R0 FMAX
+8 L Z-3 F500
+9 L X+50 Y+40 RL FMAX ; = fault
+10 L Y+75 F300
+11 L X-30 R0
+12 L Z+50 R0 FMAX
+13 M30
+14 END PGM F148 MM

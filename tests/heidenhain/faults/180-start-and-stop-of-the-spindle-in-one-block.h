@@ -1,0 +1,14 @@
+0 BEGIN PGM F180 MM
+1 ; = kind start and stop of the spindle in one block
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X-20 Y+20 R0 FMAX
+8 L Z+2 FMAX M3 M5 ; = fault
+9 L Z-3 F500 ; = fault
+10 L X+110 F300 ; = fault
+11 L Z+50 R0 FMAX
+12 M30
+13 END PGM F180 MM

@@ -1,0 +1,18 @@
+0 BEGIN PGM F213 MM
+1 ; = kind loop that steps over its end
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+20 Y+20 R0 FMAX
+8 L Z+2 FMAX
+9 L Z-3 F200
+10 FN 0: Q1 = +0
+11 LBL 1
+12 FN 1: Q1 = +Q1 + +3 ; = fault
+13 L IX+0.01 F300 ; = fault
+14 FN 10: IF +Q1 NE +10 GOTO LBL 1 ; = fault
+15 L Z+50 R0 FMAX
+16 M30
+17 END PGM F213 MM

@@ -1,0 +1,20 @@
+0 BEGIN PGM F214 MM
+1 ; = kind loop whose counter does not count
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+20 Y+20 R0 FMAX
+8 L Z+2 FMAX
+9 L Z-3 F200
+10 Q1 = 1
+11 Q2 = 0
+12 LBL "A"
+13 Q3 = Q1 + 1 ; = fault
+14 L X+40 F300 ; = fault
+15 L X+20 ; = fault
+16 FN 12: IF +Q1 LT +5 GOTO LBL "A" ; = fault
+17 L Z+50 R0 FMAX
+18 M30
+19 END PGM F214 MM

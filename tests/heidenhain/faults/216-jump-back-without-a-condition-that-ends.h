@@ -1,0 +1,17 @@
+0 BEGIN PGM F216 MM
+1 ; = kind jump back without a condition that ends
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+20 Y+20 R0 FMAX
+8 L Z+2 FMAX
+9 L Z-3 F200
+10 LBL 7
+11 L X+60 F300 ; = fault
+12 L X+20 ; = fault
+13 FN 9: IF +0 EQU +0 GOTO LBL 7 ; = fault
+14 L Z+50 R0 FMAX
+15 M30
+16 END PGM F216 MM

@@ -1,0 +1,15 @@
+0 BEGIN PGM F234 MM
+1 ; = kind number of a parameter out of range
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+20 Y+20 R0 FMAX
+8 L Z+2 FMAX
+9 L Z-3 F200
+10 FN 0: Q5000 = +40 ; = fault
+11 L X+Q5000 F300 ; = fault
+12 L Z+50 R0 FMAX
+13 M30
+14 END PGM F234 MM

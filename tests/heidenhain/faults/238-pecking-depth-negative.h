@@ -1,0 +1,25 @@
+0 BEGIN PGM F238 MM
+1 ; = kind pecking depth negative
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 CYCL DEF 203 UNIVERSAL DRILLING ~
+  Q200=+2 ~
+  Q201=-20 ~
+  Q206=+150 ~
+  Q202=-5 ~
+  Q210=+0 ~
+  Q203=+0 ~
+  Q204=+20 ~
+  Q212=+0 ~
+  Q213=+0 ~
+  Q205=+0 ~
+  Q211=+0 ~
+  Q208=+0 ~
+  Q256=+0.2 ; = fault
+8 L X+20 Y+20 R0 FMAX M99 ; = fault
+9 L Z+50 R0 FMAX
+10 M30
+11 END PGM F238 MM

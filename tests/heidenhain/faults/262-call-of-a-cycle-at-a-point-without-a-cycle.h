@@ -1,0 +1,11 @@
+0 BEGIN PGM F262 MM
+1 ; = kind call of a cycle at a point without a cycle
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 CYCL CALL POS X+20 Y+20 Z+0 FMAX ; = fault
+8 L Z+50 R0 FMAX
+9 M30
+10 END PGM F262 MM

@@ -1,0 +1,15 @@
+0 BEGIN PGM F263 MM
+1 ; = kind call of a cycle in a subprogram without a cycle
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+20 Y+20 R0 FMAX
+8 CALL LBL 1
+9 L Z+50 R0 FMAX
+10 M30
+11 LBL 1
+12 L IX+10 FMAX M99 ; = fault
+13 LBL 0
+14 END PGM F263 MM

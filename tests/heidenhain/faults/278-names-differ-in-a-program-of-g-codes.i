@@ -1,0 +1,13 @@
+%F278 G71 *
+; = kind names differ in a program of G codes
+N10 G30 G17 X+0 Y+0 Z-20*
+N20 G31 G90 X+100 Y+80 Z+0*
+N30 G99 T1 L+0 R+5*
+N40 T1 G17 S3000*
+N50 G00 G40 G90 Z+50 M3*
+N60 X-20 Y+20*
+N70 G01 Z-3 F500*
+N80 X+110 F300*
+N90 G00 G40 G90 Z+50*
+N100 M30*
+N99999999 %F00 G71 * ; = fault

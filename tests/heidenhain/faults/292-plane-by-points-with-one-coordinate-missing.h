@@ -1,0 +1,14 @@
+0 BEGIN PGM F292 MM
+1 ; = kind plane by points with one coordinate missing
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 ; machine with the tables A and C
+8 L Z+150 FMAX
+9 PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+10 P2Y+0 P2Z+5 P3X+0 P3Y+20 TURN FMAX ; = fault
+10 L X+0 Y+0 R0 FMAX
+11 L Z+50 R0 FMAX
+12 M30
+13 END PGM F292 MM

@@ -1,0 +1,19 @@
+0 BEGIN PGM F294 MM
+1 ; = kind M128 in a subprogram on a machine without rotary axes
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 ; machine with three axes
+8 L X-20 Y+20 FMAX
+9 CALL LBL 1
+10 L Z-3 F500
+11 L X+110 F300
+12 M129
+13 L Z+50 R0 FMAX
+14 M30
+15 LBL 1
+16 M128 ; = fault
+17 LBL 0
+18 END PGM F294 MM

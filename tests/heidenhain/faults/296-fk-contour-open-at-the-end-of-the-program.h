@@ -1,0 +1,14 @@
+0 BEGIN PGM F296 MM
+1 ; = kind FK contour open at the end of the program
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 TOOL DEF 1 L+0 R+5
+5 TOOL CALL 1 Z S3000
+6 L Z+50 R0 FMAX M3
+7 L X+20 Y+20 R0 FMAX
+8 L Z+2 FMAX
+9 L Z-3 F200
+10 FL X+60 Y+20 F300
+11 FL AN+90 ; = fault
+12 M30 ; = fault
+13 END PGM F296 MM

@@ -1,0 +1,31 @@
+0 BEGIN PGM HALBKUGEL MM
+1 ; = clean
+2 ; Halbkugel R25, Schaftfraeser R6, Ringe von oben
+3 FN 0: Q1 = +25 ;KUGELRADIUS ; = Q1=+25
+4 FN 0: Q2 = +6  ;FRAESERRADIUS ; = Q2=+6
+5 FN 0: Q3 = +75 ;WINKEL ; = Q3=+75
+6 FN 0: Q4 = -15 ;SCHRITT ; = Q4=-15
+7 BLK FORM 0.1 Z X-40 Y-40 Z-30
+8 BLK FORM 0.2 X+40 Y+40 Z+0
+9 TOOL DEF 4 L+0 R+6
+10 TOOL CALL 4 Z S4500
+11 L Z+50 R0 FMAX M3 ; = Z+50
+12 CC X+0 Y+0
+13 L X+55 Y+0 R0 FMAX ; = X+55 Y+0 Z+50
+14 LBL 1
+15 FN 7: Q10 = COS +Q3 ; = Q10=+1
+16 FN 6: Q11 = SIN +Q3 ; = Q11=+0
+17 FN 3: Q12 = +Q1 * +Q10 ; = Q12=+25
+18 FN 1: Q12 = +Q12 + +Q2 ; = Q12=+31
+19 FN 3: Q13 = +Q1 * +Q11 ; = Q13=+0
+20 FN 2: Q13 = +Q13 - +Q1 ; = Q13=-25
+21 L X+55 F2000 ; = X+55 Y+0 Z-18.53 ; = runs 6
+22 L Z+Q13 F1000 ; = X+55 Y+0 Z-25 ; = runs 6
+23 L X+Q12 F500 ; = X+31 Y+0 Z-25 ; = runs 6
+24 C X+Q12 Y+0 DR- ; = X+31 Y+0 Z-25 ; = centre X+0 Y+0 ; = runs 6
+25 FN 1: Q3 = +Q3 + +Q4 ; = Q3=-15
+26 FN 11: IF +Q3 GT -1 GOTO LBL 1
+27 L X+55 ; = X+55 Y+0 Z-25
+28 L Z+50 FMAX ; = X+55 Y+0 Z+50
+29 M30 ; = end X+55 Y+0 Z+50
+30 END PGM HALBKUGEL MM

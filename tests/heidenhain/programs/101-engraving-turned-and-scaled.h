@@ -1,0 +1,57 @@
+0 BEGIN PGM GRAVUR MM
+1 ; = clean
+2 * - Buchstaben L und T, 10 hoch
+3 BLK FORM 0.1 Z X+0 Y+0 Z-8
+4 BLK FORM 0.2 X+100 Y+60 Z+0
+5 TOOL CALL 9 Z S15000 F600
+6 L Z+20 R0 FMAX M3 ; = Z+20
+7 CYCL DEF 7.0 NULLPUNKT
+8 CYCL DEF 7.1 X+15
+9 CYCL DEF 7.2 Y+10
+10 CALL LBL "L"
+11 CYCL DEF 7.0 NULLPUNKT
+12 CYCL DEF 7.1 IX+12
+13 CALL LBL "T"
+14 ; doppelt so gross
+15 CYCL DEF 7.0 NULLPUNKT
+16 CYCL DEF 7.1 X+15
+17 CYCL DEF 7.2 Y+30
+18 CYCL DEF 26.0 MASSFAKTOR ACHSSPEZ.
+19 CYCL DEF 26.1 X2 Y2
+20 CALL LBL "L"
+21 CYCL DEF 26.0 MASSFAKTOR ACHSSPEZ.
+22 CYCL DEF 26.1 X1 Y1
+23 ; gedreht um 30 Grad
+24 CYCL DEF 7.0 NULLPUNKT
+25 CYCL DEF 7.1 X+60
+26 CYCL DEF 7.2 Y+15
+27 CYCL DEF 10.0 DREHUNG
+28 CYCL DEF 10.1 ROT+30
+29 CALL LBL "T"
+30 CYCL DEF 10.0 DREHUNG
+31 CYCL DEF 10.1 ROT+0
+32 CYCL DEF 7.0 NULLPUNKT
+33 CYCL DEF 7.1 X+0
+34 CYCL DEF 7.2 Y+0
+35 L X+0 Y+0 R0 FMAX ; = X+0 Y+0 Z+5 ; = work X+0 Y+0 Z+5
+36 M30 ; = end X+0 Y+0 Z+5
+37 LBL "L"
+38 L X+0 Y+10 R0 FMAX ; = X+0 Y+10 Z+5 ; = work X+15 Y+50 Z+5 ; = runs 2
+39 L Z+1 FMAX ; = X+0 Y+10 Z+1 ; = work X+15 Y+50 Z+1 ; = runs 2
+40 L Z-0.3 F200 ; = X+0 Y+10 Z-0.3 ; = work X+15 Y+50 Z-0.3 ; = runs 2
+41 L X+0 Y+0 F AUTO ; = X+0 Y+0 Z-0.3 ; = work X+15 Y+30 Z-0.3 ; = runs 2
+42 L X+6 Y+0 ; = X+6 Y+0 Z-0.3 ; = work X+27 Y+30 Z-0.3 ; = runs 2
+43 L Z+5 FMAX ; = X+6 Y+0 Z+5 ; = work X+27 Y+30 Z+5 ; = runs 2
+44 LBL 0
+45 LBL "T"
+46 L X+0 Y+10 R0 FMAX ; = X+0 Y+10 Z+5 ; = work X+55 Y+23.66 Z+5 ; = runs 2
+47 L Z+1 FMAX ; = X+0 Y+10 Z+1 ; = work X+55 Y+23.66 Z+1 ; = runs 2
+48 L Z-0.3 F200 ; = X+0 Y+10 Z-0.3 ; = work X+55 Y+23.66 Z-0.3 ; = runs 2
+49 L X+8 Y+10 FAUTO ; = X+8 Y+10 Z-0.3 ; = work X+61.928 Y+27.66 Z-0.3 ; = runs 2
+50 L Z+1 FMAX ; = X+8 Y+10 Z+1 ; = work X+61.928 Y+27.66 Z+1 ; = runs 2
+51 L X+4 Y+10 FMAX ; = X+4 Y+10 Z+1 ; = work X+58.464 Y+25.66 Z+1 ; = runs 2
+52 L Z-0.3 F200 ; = X+4 Y+10 Z-0.3 ; = work X+58.464 Y+25.66 Z-0.3 ; = runs 2
+53 L X+4 Y+0 FAUTO ; = X+4 Y+0 Z-0.3 ; = work X+63.464 Y+17 Z-0.3 ; = runs 2
+54 L Z+5 FMAX ; = X+4 Y+0 Z+5 ; = work X+63.464 Y+17 Z+5 ; = runs 2
+55 LBL 0
+56 END PGM GRAVUR MM

@@ -1,0 +1,12 @@
+0 BEGIN PGM 105-CALLED MM
+1 ; = called
+2 ; one part, datum in its middle
+3 L X+0 Y+0 R0 FMAX
+4 L Z+2 FMAX
+5 L Z+Q1 F120
+6 L X+12.5 F300
+7 CC X+0 Y+0
+8 C X+12.5 Y+0 DR-
+9 L X+0
+10 L Z+60 FMAX
+11 END PGM 105-CALLED MM

@@ -1,0 +1,12 @@
+0 BEGIN PGM 106-CALLED-A MM
+1 ; = called
+2 ; row of Q2 holes, pitch Q3, from here
+3 FN 0: Q20 = +0
+4 LBL 1
+5 CALL PGM 106-called-b.h
+6 FN 1: Q20 = +Q20 + +1
+7 FN 9: IF +Q20 EQU +Q2 GOTO LBL 2
+8 L IX+Q3 FMAX
+9 FN 9: IF +0 EQU +0 GOTO LBL 1
+10 LBL 2
+11 END PGM 106-CALLED-A MM

@@ -1,0 +1,32 @@
+0 BEGIN PGM 114-DATUMS MM
+1 ; = clean
+2 BLK FORM 0.1 Z X+0 Y+0 Z-20
+3 BLK FORM 0.2 X+100 Y+80 Z+0
+4 SEL TABLE "TNC:\NC\114-datum.d"
+5 TOOL CALL 3 Z S3000
+6 L Z+50 R0 FMAX M3 ; = Z+50
+7 CYCL DEF 7.0 NULLPUNKT
+8 CYCL DEF 7.1 #1
+9 CALL LBL 1
+10 CYCL DEF 7.0 NULLPUNKT
+11 CYCL DEF 7.1 #2
+12 CALL LBL 1
+13 L X-5 Y+3 R0 FMAX ; = X-5 Y+3 Z+40 ; = work X+65 Y+18 Z+38.5
+14 CYCL DEF 7.0 NULLPUNKT
+15 CYCL DEF 7.1 #3
+16 L X+1 Y+1 R0 FMAX ; = X+1 Y+1 Z+40.5 ; = work X+71 Y+56 Z+38.5
+17 CALL LBL 1
+18 CYCL DEF 7.0 NULLPUNKT
+19 CYCL DEF 7.1 #0
+20 L X+0 Y+0 R0 FMAX ; = X+0 Y+0 Z+38 ; = work X+0 Y+0 Z+38
+21 L Z+50 R0 FMAX ; = X+0 Y+0 Z+50 ; = work X+0 Y+0 Z+50
+22 M30 ; = end X+0 Y+0 Z+50
+23 LBL 1
+24 L X+0 Y+0 R0 FMAX ; = X+0 Y+0 Z+40.5 ; = work X+70 Y+55 Z+38.5 ; = runs 3
+25 L Z+2 FMAX ; = X+0 Y+0 Z+2 ; = work X+70 Y+55 Z+0 ; = runs 3
+26 L Z-1 F150 ; = X+0 Y+0 Z-1 ; = work X+70 Y+55 Z-3 ; = runs 3
+27 L X+12 F400 ; = X+12 Y+0 Z-1 ; = work X+82 Y+55 Z-3 ; = runs 3
+28 L Y+8 ; = X+12 Y+8 Z-1 ; = work X+82 Y+63 Z-3 ; = runs 3
+29 L Z+40 FMAX ; = X+12 Y+8 Z+40 ; = work X+82 Y+63 Z+38 ; = runs 3
+30 LBL 0
+31 END PGM 114-DATUMS MM

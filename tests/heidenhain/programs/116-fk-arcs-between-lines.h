@@ -1,0 +1,23 @@
+0 BEGIN PGM FKBOGEN MM
+1 ; = clean
+2 BLK FORM 0.1 Z X+0 Y+0 Z-10
+3 BLK FORM 0.2 X+110 Y+100 Z+0
+4 TOOL CALL 5 Z S3500
+5 L Z+40 R0 FMAX M3 ; = Z+40
+6 L X+20 Y+30 R0 FMAX ; = X+20 Y+30 Z+40
+7 L Z+2 FMAX ; = X+20 Y+30 Z+2
+8 L Z-2 F200 ; = X+20 Y+30 Z-2
+9 FL AN+0 F400 ; = X+48.246 Y+30 Z-2
+10 FCT DR+ R15 ; = X+61.236 Y+37.5 Z-2 ; = centre X+48.246 Y+45
+11 FLT X+80 Y+70 AN+60 ; = X+80 Y+70 Z-2
+12 ; round a point
+13 FL AN+180 ; = X+40 Y+70 Z-2
+14 FCT DR+ R20 CCX+40 CCY+50 ; = X+20 Y+50 Z-2 ; = centre X+40 Y+50
+15 FLT X+20 Y+30 ; = X+20 Y+30 Z-2
+16 ; relative to the end of a block, angle relative to a block
+17 FL IX+30 IY-20 RX 11 RY 11 ; = X+110 Y+50 Z-2
+18 FL LEN+10 IAN+30 RAN 11 ; = X+110 Y+60 Z-2
+19 FL X+20 Y+90 ; = X+20 Y+90 Z-2
+20 L Z+40 R0 FMAX ; = X+20 Y+90 Z+40
+21 M30 ; = end X+20 Y+90 Z+40
+22 END PGM FKBOGEN MM

@@ -1,0 +1,26 @@
+0 BEGIN PGM FKWAHL MM
+1 ; = clean
+2 ; where two solutions are there only what both have in common is expected
+3 BLK FORM 0.1 Z X+0 Y+0 Z-10
+4 BLK FORM 0.2 X+100 Y+80 Z+0
+5 TOOL CALL 7 Z S3500
+6 L Z+40 R0 FMAX M3 ; = Z+40
+7 L X+20 Y+40 R0 FMAX ; = X+20 Y+40 Z+40
+8 L Z+2 FMAX ; = X+20 Y+40 Z+2
+9 L Z-2 F200 ; = X+20 Y+40 Z-2
+10 FL X+60 LEN+50 F400 ; = X+60
+11 FSELECT1
+12 FL X+80 Y+40 ; = X+80 Y+40 Z-2
+13 FL AN+180
+14 FL AN+90 PDX+30 PDY+20 D8 Y+70 ; = Y+70
+15 FSELECT 2
+16 FL X+60 Y+70 ; = X+60 Y+70 Z-2
+17 FL AN-90 LEN+30 ; = X+60 Y+40 Z-2
+18 FL X+90 Y+20 ; = X+90 Y+20 Z-2
+19 L IX-10 IY+5 ; = X+80 Y+25 Z-2
+20 CC X+80 Y+35
+21 C X+80 Y+45 DR- ; = X+80 Y+45 Z-2 ; = centre X+80 Y+35
+22 L X+40 ; = X+40 Y+45 Z-2
+23 L Z+40 R0 FMAX ; = X+40 Y+45 Z+40
+24 M30 ; = end X+40 Y+45 Z+40
+25 END PGM FKWAHL MM

@@ -1,0 +1,65 @@
+0 BEGIN PGM 2001 MM
+1 ; = clean
+2 BLK FORM 0.1 Z X-45 Y-30 Z-22
+3 BLK FORM 0.2 X+45 Y+30 Z+1
+4 ; T1 D=40 CR=0 - ZMIN=0 - face mill
+5 ; T3 D=10 CR=0 - ZMIN=-8 - flat end mill
+6 * - Plandrehen1
+7 TOOL CALL 1 Z S1800
+8 M3
+9 L X+68 Y-14 R0 FMAX M8 ; = X+68 Y-14
+10 L Z+15 FMAX ; = X+68 Y-14 Z+15
+11 L Z+5 FMAX ; = X+68 Y-14 Z+5
+12 L Z+0 F300 ; = X+68 Y-14 Z+0
+13 L X+45 F720 ; = X+45 Y-14 Z+0
+14 L X-45 ; = X-45 Y-14 Z+0
+15 CC X-45 Y+0
+16 C X-45 Y+14 DR- ; = X-45 Y+14 Z+0 ; = centre X-45 Y+0
+17 L X+45 ; = X+45 Y+14 Z+0
+18 L X+52 ; = X+52 Y+14 Z+0
+19 L Z+15 FMAX ; = X+52 Y+14 Z+15
+20 L Z+0 R0 FMAX M91
+21 * - 2D Kontur1
+22 TOOL CALL 3 Z S7200
+23 M3
+24 L X+58.5 Y+4 R0 FMAX ; = X+58.5 Y+4
+25 L Z+15 FMAX ; = X+58.5 Y+4 Z+15
+26 L Z+5 FMAX ; = X+58.5 Y+4 Z+5
+27 L Z-7 F500 ; = X+58.5 Y+4 Z-7
+28 L Z-8 F360 ; = X+58.5 Y+4 Z-8
+29 L X+57.5 F1080 ; = X+57.5 Y+4 Z-8
+30 CC X+57.5 Y+0
+31 C X+53.5 Y+0 DR+ ; = X+53.5 Y+0 Z-8 ; = centre X+57.5 Y+0
+32 L Y-20 ; = X+53.5 Y-20 Z-8
+33 CC X+35 Y-20
+34 C X+35 Y-38.5 DR- ; = X+35 Y-38.5 Z-8 ; = centre X+35 Y-20
+35 L X-35 ; = X-35 Y-38.5 Z-8
+36 CC X-35 Y-20
+37 C X-53.5 Y-20 DR- ; = X-53.5 Y-20 Z-8 ; = centre X-35 Y-20
+38 L Y+20 ; = X-53.5 Y+20 Z-8
+39 CC X-35 Y+20
+40 C X-35 Y+38.5 DR- ; = X-35 Y+38.5 Z-8 ; = centre X-35 Y+20
+41 L X+35 ; = X+35 Y+38.5 Z-8
+42 CC X+35 Y+20
+43 C X+53.5 Y+20 DR- ; = X+53.5 Y+20 Z-8 ; = centre X+35 Y+20
+44 L Y+0 ; = X+53.5 Y+0 Z-8
+45 CC X+57.5 Y+0
+46 C X+57.5 Y-4 DR+ ; = X+57.5 Y-4 Z-8 ; = centre X+57.5 Y+0
+47 L X+58.5 ; = X+58.5 Y-4 Z-8
+48 L Z+15 FMAX ; = X+58.5 Y-4 Z+15
+49 * - Bohrung1
+50 L X+0 Y+0 R0 FMAX ; = X+0 Y+0 Z+15
+51 L Z+2 FMAX ; = X+0 Y+0 Z+2
+52 L X+6.25 F1080 ; = X+6.25 Y+0 Z+2
+53 CC X+0 Y+0
+54 CP IPA+1080 IZ-5 DR+ F400 ; = X+6.25 Y+0 Z-3 ; = centre X+0 Y+0
+55 CP IPA+900 Z-6.5 DR+ ; = X-6.25 Y+0 Z-6.5 ; = centre X+0 Y+0
+56 CP IPA+360 DR+ ; = X-6.25 Y+0 Z-6.5 ; = centre X+0 Y+0
+57 L X+0 Y+0 ; = X+0 Y+0 Z-6.5
+58 L Z+15 FMAX ; = X+0 Y+0 Z+15
+59 M9
+60 L Z+0 R0 FMAX M91
+61 L X+0 Y+0 R0 FMAX M91
+62 M5
+63 M30
+64 END PGM 2001 MM

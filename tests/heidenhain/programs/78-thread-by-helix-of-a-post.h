@@ -1,0 +1,33 @@
+0 BEGIN PGM M30X2 MM
+1 ; = clean
+2 BLK FORM 0.1 Z X-40 Y-40 Z-30
+3 BLK FORM 0.2 X+40 Y+40 Z+0
+4 ; T21 D=16 TYP=GEWINDEFRAESER P=2
+5 * - Gewindefraesen M30x2
+6 TOOL CALL 21 Z S2400
+7 M3
+8 L X+0 Y+0 R0 FMAX M8 ; = X+0 Y+0
+9 L Z+15 FMAX ; = X+0 Y+0 Z+15
+10 L Z+2 FMAX ; = X+0 Y+0 Z+2
+11 L Z-21 F300 ; = X+0 Y+0 Z-21
+12 L X+3 Y-4 F200 ; = X+3 Y-4 Z-21
+13 CC X+3 Y+0
+14 CP IPA+90 IZ+0.25 DR+ ; = X+7 Y+0 Z-20.75 ; = centre X+3 Y+0
+15 CC X+0 Y+0
+16 CP IPA+360 IZ+2 DR+ F250 ; = X+7 Y+0 Z-18.75 ; = centre X+0 Y+0
+17 CP IPA+360 IZ+2 DR+ ; = X+7 Y+0 Z-16.75 ; = centre X+0 Y+0
+18 CC X+3 Y+0
+19 CP IPA+90 IZ+0.25 DR+ ; = X+3 Y+4 Z-16.5 ; = centre X+3 Y+0
+20 L X+0 Y+0 ; = X+0 Y+0 Z-16.5
+21 L Z+15 FMAX ; = X+0 Y+0 Z+15
+22 * - links
+23 L X+1 Y+1 FMAX ; = X+1 Y+1 Z+15
+24 L Z+0 F500 ; = X+1 Y+1 Z+0
+25 CC X+0 Y+0
+26 LP PR+7 PA+90 F300 ; = X+0 Y+7 Z+0
+27 CP IPA-1440 Z-8 DR- ; = X+0 Y+7 Z-8 ; = centre X+0 Y+0
+28 LP PR+0 PA+0 ; = X+0 Y+0 Z-8
+29 L Z+15 FMAX M9 ; = X+0 Y+0 Z+15
+30 M5
+31 M2 ; = end X+0 Y+0 Z+15
+32 END PGM M30X2 MM

@@ -1,0 +1,32 @@
+BEGIN PGM RINNE MM
+; = clean
+BLK FORM 0.1 Z X0 Y0 Z-20
+BLK FORM 0.2 X60 Y40 Z0
+* - SCHLICHTEN RINNE
+TOOL CALL 9 Z S9000
+L Z50 R0 FMAX M3 ; = Z+50
+L X10 Y-6 FMAX ; = X+10 Y-6 Z+50
+L Z3 FMAX ; = X+10 Y-6 Z+3
+L Z-2 F600 ; = X+10 Y-6 Z-2
+L Y5 F1400 ; = X+10 Y+5 Z-2
+CC Y5 Z-8
+C Y11 Z-8 DR- ; = X+10 Y+11 Z-8 ; = centre Y+5 Z-8
+CC Y20 Z-8
+C Y29 Z-8 DR+ ; = X+10 Y+29 Z-8 ; = centre Y+20 Z-8
+CC Y35 Z-8
+C Y35 Z-2 DR- ; = X+10 Y+35 Z-2 ; = centre Y+35 Z-8
+L Y46 ; = X+10 Y+46 Z-2
+L Z5 FMAX ; = X+10 Y+46 Z+5
+L X-6 Y20 FMAX ; = X-6 Y+20 Z+5
+L Z-8 F600 ; = X-6 Y+20 Z-8
+L X6 ; = X+6 Y+20 Z-8
+CC X6 Z-2
+C X12 Z-2 DR- ; = X+12 Y+20 Z-2 ; = centre X+6 Z-2
+L X18 ; = X+18 Y+20 Z-2
+CC IX+0 IZ-5
+C X23 Z-7 DR+ ; = X+23 Y+20 Z-7 ; = centre X+18 Z-7
+L Z-9 ; = X+23 Y+20 Z-9
+L X66 ; = X+66 Y+20 Z-9
+L Z50 FMAX ; = X+66 Y+20 Z+50
+M30 ; = end X+66 Y+20 Z+50
+END PGM RINNE MM

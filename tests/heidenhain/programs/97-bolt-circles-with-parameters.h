@@ -1,0 +1,43 @@
+0 BEGIN PGM FLANSCH MM
+1 ; = clean
+2 ; Flansch mit zwei Lochkreisen
+3 ; ---- Eingabe ----
+4 FN 0: Q1 = +50 ;MITTE X ; = Q1=+50
+5 FN 0: Q2 = +50 ;MITTE Y ; = Q2=+50
+6 FN 0: Q3 = +72 ;LOCHKREIS 1 ; = Q3=+72
+7 FN 0: Q4 = +8  ;ANZAHL 1 ; = Q4=+8
+8 FN 0: Q5 = +22.5 ;STARTWINKEL ; = Q5=+22.5
+9 FN 0: Q6 = +36 ;LOCHKREIS 2 ; = Q6=+36
+10 FN 0: Q7 = +3  ;ANZAHL 2 ; = Q7=+3
+11 BLK FORM 0.1 Z X+0 Y+0 Z-18
+12 BLK FORM 0.2 X+100 Y+100 Z+0
+13 TOOL CALL 3 Z S2400
+14 L Z+80 R0 FMAX M3 ; = Z+80
+15 CC X+Q1 Y+Q2
+16 CYCL DEF 200 BOHREN ~
+  Q200=+2     ;SICHERHEITS-ABST. ~
+  Q201=-12    ;TIEFE ~
+  Q206=+150   ;VORSCHUB TIEFENZ. ~
+  Q202=+4     ;ZUSTELL-TIEFE ~
+  Q210=+0     ;VERWEILZEIT OBEN ~
+  Q203=+0     ;KOOR. OBERFLAECHE ~
+  Q204=+10    ;2. SICHERHEITS-ABST. ~
+  Q211=+0     ;VERWEILZEIT UNTEN
+17 FN 4: Q10 = +Q3 DIV +2 ; = Q10=+36
+18 FN 4: Q11 = +360 DIV +Q4 ; = Q11=+45
+19 FN 0: Q12 = +Q5 ; = Q12=+22.5
+20 FN 0: Q13 = +0 ;ZAEHLER ; = Q13=+0
+21 LBL 1
+22 LP PR+Q10 PA+Q12 R0 FMAX M99 ; = X+83.26 Y+36.223 Z+10 ; = lowest Z-12 ; = strokes 3 ; = runs 8
+23 FN 1: Q12 = +Q12 + +Q11 ; = Q12=+382.5
+24 FN 1: Q13 = +Q13 + +1 ; = Q13=+8
+25 FN 12: IF +Q13 LT +Q4 GOTO LBL 1
+26 Q10 = Q6 / 2 ; = Q10=+18
+27 Q11 = 360 / Q7 ; = Q11=+120
+28 LP PR+Q10 PA+90 R0 FMAX M99 ; = X+50 Y+68 Z+10 ; = lowest Z-12 ; = strokes 3
+29 LBL 2
+30 LP IPA+Q11 FMAX M99 ; = X+65.588 Y+41 Z+10 ; = lowest Z-12 ; = strokes 3 ; = runs 2
+31 CALL LBL 2 REP 1/1
+32 L Z+80 R0 FMAX ; = X+65.588 Y+41 Z+80
+33 M30 ; = end X+65.588 Y+41 Z+80
+34 END PGM FLANSCH MM
