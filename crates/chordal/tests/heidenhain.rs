@@ -9,11 +9,13 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use chordal::control::{Command, CommandKind, Origin};
+use chordal::control::{AfterBlock, Command, CommandKind, Origin};
 use chordal::diagnostics::FileId;
 use chordal::geometry::{Transform, Vec3};
 use chordal::path::PathCommand;
-use chordal::{Diagnostic, Job, Machine, PathSink, RunOptions, Severity, Source, SourceMap};
+use chordal::{
+    Diagnostic, Job, Machine, PathSink, RunOptions, RunSink, Severity, Sink, Source, SourceMap,
+};
 use chordal_heidenhain::syntax::LineReader;
 
 /// Programs without an error or a warning, of all; may only become more.
@@ -72,9 +74,35 @@ struct RecordedMove {
     plane: Option<Transform>,
 }
 
+/// How often the blocks of the first text are carried out, by their first line.
+#[derive(Default)]
+struct BlockCount(BTreeMap<u32, usize>);
+
+impl Sink for BlockCount {
+    fn command(&mut self, _: &Command) {}
+
+    fn diagnostic(&mut self, _: Diagnostic) {}
+}
+
+impl RunSink for BlockCount {
+    fn wants_blocks(&self) -> bool {
+        true
+    }
+
+    fn block_done(&mut self, origin: &Origin, _: &AfterBlock) {
+        if origin.span.file == FileId(0) {
+            *self.0.entry(origin.line).or_default() += 1;
+        }
+    }
+}
+
 /// What a run leaves.
 struct KlartextRunRecord {
     moves: Vec<RecordedMove>,
+    /// How often each line is carried out.
+    runs: BTreeMap<u32, usize>,
+    /// One unit of the program, mm.
+    unit_mm: f64,
     /// The values of each line in the order of its last run.
     values: BTreeMap<u32, Vec<f64>>,
     /// With the lines of the problem and of the blocks that called it.
@@ -163,7 +191,7 @@ fn run(path: &Path) -> KlartextRunRecord {
     sources.add(Source::new(path.to_string_lossy().into_owned(), with_values.into_bytes()));
     for entry in fs::read_dir(path.parent().expect("a folder")).expect("a folder") {
         let other = entry.expect("a file").path();
-        if other.to_string_lossy().ends_with("-called.h") {
+        if is_called(&other) {
             let text = fs::read(&other).expect("a program");
             sources.add(Source::new(other.to_string_lossy().into_owned(), text));
         }
@@ -211,6 +239,12 @@ fn run(path: &Path) -> KlartextRunRecord {
             _ => {}
         }
     }
+    let mut counts = BlockCount::default();
+    job.run(&mut counts);
+    let runs = counts.0.into_iter().map(|(line, count)| (file_line(line), count)).collect();
+    let is_inch = text.lines().any(|line| line.contains("BEGIN PGM") && line.contains("INCH"))
+        || text.starts_with('%') && text.contains(" G70");
+    let unit_mm = if is_inch { 25.4 } else { 1.0 };
     let report = job.check();
     let problems = report.diagnostics.into_iter().map(|found| {
         let spans = found.calls.iter().chain([&found.primary.span]);
@@ -222,7 +256,7 @@ fn run(path: &Path) -> KlartextRunRecord {
         (lines.collect(), found)
     });
     let problems = problems.collect();
-    KlartextRunRecord { moves, values, problems }
+    KlartextRunRecord { moves, runs, unit_mm, values, problems }
 }
 
 /// The value after a letter: `X+10.5`.
@@ -267,20 +301,24 @@ impl ExpectedPlaneMap {
         }
     }
 
-    /// A point of the preset in programmed coordinates, where the map turns, moves and enlarges alone.
-    fn programmed(&self, point: [f64; 2]) -> [f64; 2] {
-        let [.., (own1, work1), (own2, work2)] = self.pairs.as_slice() else { return point };
+    /// A point of the preset in programmed coordinates: where the map turns, moves and enlarges alone, and where it
+    /// mirrors, too.
+    fn programmed(&self, point: [f64; 2]) -> [[f64; 2]; 2] {
+        let [.., (own1, work1), (own2, work2)] = self.pairs.as_slice() else { return [point; 2] };
         let minus = |one: &[f64; 2], two: &[f64; 2]| [one[0] - two[0], one[1] - two[1]];
         let divide = |n: [f64; 2], d: [f64; 2]| {
             let squared = d[0] * d[0] + d[1] * d[1];
             [(n[0] * d[0] + n[1] * d[1]) / squared, (n[1] * d[0] - n[0] * d[1]) / squared]
         };
-        let factor = divide(minus(own2, own1), minus(work2, work1));
-        let by = minus(&point, work1);
-        [
-            own1[0] + by[0] * factor[0] - by[1] * factor[1],
-            own1[1] + by[0] * factor[1] + by[1] * factor[0],
-        ]
+        [1.0, -1.0].map(|sign| {
+            let flipped = |by: [f64; 2]| [by[0], sign * by[1]];
+            let factor = divide(minus(own2, own1), flipped(minus(work2, work1)));
+            let by = flipped(minus(&point, work1));
+            [
+                own1[0] + by[0] * factor[0] - by[1] * factor[1],
+                own1[1] + by[0] * factor[1] + by[1] * factor[0],
+            ]
+        })
     }
 }
 
@@ -288,6 +326,15 @@ impl ExpectedPlaneMap {
 fn recorded_values(record: &KlartextRunRecord, line: u32, count: usize) -> Option<&[f64]> {
     let all = record.values.get(&line)?;
     all.len().checked_sub(count).map(|from| &all[from..])
+}
+
+/// The moves of the last time that a line is carried out: those without a move of another line between them.
+fn last_run(record: &KlartextRunRecord, line: u32) -> Vec<&RecordedMove> {
+    let is_own = |step: &&RecordedMove| step.line == line;
+    let mut own: Vec<&RecordedMove> =
+        record.moves.iter().rev().skip_while(|step| !is_own(step)).take_while(is_own).collect();
+    own.reverse();
+    own
 }
 
 /// The last move of a line; without one, that before it.
@@ -324,7 +371,11 @@ fn check(
     record: &KlartextRunRecord,
     map: Option<&ExpectedPlaneMap>,
 ) -> Result<(), String> {
-    let own: Vec<&RecordedMove> = record.moves.iter().filter(|step| step.line == line).collect();
+    let own = last_run(record, line);
+    // The axis of the tool is that of the deepest point.
+    let deepest = notes.iter().find_map(|note| note.strip_prefix("lowest "));
+    let tool_axis = deepest.and_then(|words| place(words).iter().position(Option::is_some));
+    let tool_axis = tool_axis.unwrap_or(2);
     let names = parameters(notes);
     let has_places = map.is_some() && expects_position(notes);
     let recorded = || {
@@ -351,28 +402,37 @@ fn check(
             is_place(found, words)
         }
         "centre" => {
-            let shape = own.iter().rev().find_map(|step| step.kind.shape()).ok_or("no arc")?;
+            let arc = own.iter().rev().find_map(|step| Some((step.kind.shape()?, step.plane)));
+            let (shape, plane) = arc.ok_or("no arc")?;
             let (a, b, _) = shape.plane.axes();
-            let center = map.map_or(shape.center, |map| map.programmed(shape.center));
+            // Coordinates of a tilted plane are those of the program.
+            let centers = match map.filter(|_| plane.is_none()) {
+                Some(map) => map.programmed(shape.center),
+                None => [shape.center; 2],
+            };
             let expected = place(words);
-            let is_right = [(a, center[0]), (b, center[1])].into_iter().all(|(axis, mm)| {
-                expected[axis].is_none_or(|expected| (mm - expected).abs() <= TOLERANCE_MM)
-            });
-            if is_right { Ok(()) } else { Err(format!("{center:?}")) }
+            let is_right = |center: &[f64; 2]| {
+                [(a, center[0]), (b, center[1])].into_iter().all(|(axis, mm)| {
+                    expected[axis].is_none_or(|expected| (mm - expected).abs() <= TOLERANCE_MM)
+                })
+            };
+            if centers.iter().any(is_right) { Ok(()) } else { Err(format!("{centers:?}")) }
         }
-        "runs" => is_equal(own.len()),
-        "strokes" => is_equal(strokes(&own)),
+        "runs" => is_equal(record.runs.get(&line).copied().unwrap_or(0)),
+        "strokes" => is_equal(strokes(&own, tool_axis)),
         "lowest" => {
-            let lowest = own.iter().map(|step| end_of(step)[2]).fold(f64::INFINITY, f64::min);
-            let lowest = match map {
+            let axis = tool_axis;
+            let lowest = own.iter().map(|step| end_of(step)[axis]).fold(f64::INFINITY, f64::min);
+            let lowest = match map.filter(|_| axis == 2) {
                 // The shift of Z is that of the end of the line.
                 Some(_) => {
                     let z = recorded()?.last().copied().ok_or("no position is recorded")?;
+                    let z = z * record.unit_mm;
                     lowest - own.last().map_or(0.0, |step| end_of(step)[2]) + z
                 }
                 None => lowest,
             };
-            let expected = value(words, 'Z').ok_or("it names no Z")?;
+            let expected = place(words)[axis].ok_or("it names no axis")?;
             match (lowest - expected).abs() <= TOLERANCE_MM {
                 true => Ok(()),
                 false => Err(lowest.to_string()),
@@ -408,7 +468,7 @@ fn check(
             match has_places {
                 true => {
                     let [.., x, y, z] = *recorded()? else { return Err("no position".into()) };
-                    is_place(Some([x, y, z]), note)
+                    is_place(Some([x, y, z].map(|length| length * record.unit_mm)), note)
                 }
                 false => is_place(step.map(end_of), note),
             }
@@ -417,21 +477,22 @@ fn check(
     }
 }
 
-/// The feed moves downward to a new depth, of the last hole.
-fn strokes(own: &[&RecordedMove]) -> usize {
+/// The feed moves along the axis of the tool to a new depth, of the last hole.
+fn strokes(own: &[&RecordedMove], axis: usize) -> usize {
     let (mut count, mut depth) = (0, f64::INFINITY);
     for step in own {
         let motion = step.kind.motion().expect("a move");
-        let across = (motion.to[0] - motion.from[0]).hypot(motion.to[1] - motion.from[1]);
+        let (a, b) = ((axis + 1) % 3, (axis + 2) % 3);
+        let across = (motion.to[a] - motion.from[a]).hypot(motion.to[b] - motion.from[b]);
         let is_rapid = step.kind.feed().is_none();
         // Further than a boring tool leaves its wall is the next hole.
         if is_rapid && across > 1.0 {
             (count, depth) = (0, f64::INFINITY);
         }
-        let deeper = motion.to[2] < depth - 1e-6 && motion.to[2] < motion.from[2];
+        let deeper = motion.to[axis] < depth - 1e-6 && motion.to[axis] < motion.from[axis];
         if !is_rapid && deeper {
             count += 1;
-            depth = motion.to[2];
+            depth = motion.to[axis];
         }
     }
     count
@@ -455,8 +516,11 @@ fn points_of(step: &RecordedMove) -> Vec<[f64; 2]> {
 }
 
 /// The points of a compensated path that a line expects, in their order; what is wrong for each.
-fn check_path(notes: &[String], line: u32, record: &KlartextRunRecord) -> Vec<String> {
-    let of_line = || record.moves.iter().filter(move |step| step.line == line);
+fn check_path(notes: &[String], line: u32, text: &str, record: &KlartextRunRecord) -> Vec<String> {
+    // The end of an element at a corner stands on the line of the corner.
+    let is_corner = ["RND", "CHF", "G24", "G25"].iter().any(|word| text.contains(word));
+    let first = if is_corner { line - 1 } else { line };
+    let of_line = || record.moves.iter().filter(move |step| (first..=line).contains(&step.line));
     // A rounding is named with the point where it begins.
     let start = of_line().next().map(|step| {
         let from = step.kind.motion().expect("a move").from;
@@ -472,6 +536,13 @@ fn check_path(notes: &[String], line: u32, record: &KlartextRunRecord) -> Vec<St
         }
     }
     wrong
+}
+
+/// Whether a file is called by a program, or is a table of one.
+fn is_called(path: &Path) -> bool {
+    let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned()).unwrap_or_default();
+    let part = stem.rsplit_once("-called").map(|(_, rest)| rest);
+    matches!(part, Some("" | "-a" | "-b")) || path.extension().is_some_and(|own| own == "d")
 }
 
 /// What a program shows.
@@ -504,7 +575,7 @@ fn check_program(path: &Path) -> ProgramResult {
                 wrong.push(format!("line {number}: `{note}`: {found}"));
             }
         }
-        wrong.extend(check_path(&notes, number, &record));
+        wrong.extend(check_path(&notes, number, line, &record));
     }
     let is_problem = |found: &Diagnostic| found.severity != Severity::Note;
     let problems = record.problems.iter().filter(|(_, found)| is_problem(found));
@@ -515,8 +586,10 @@ fn check_program(path: &Path) -> ProgramResult {
 fn programs(part: &str) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder().join(part)).expect("the programs");
     let files = entries.map(|entry| entry.expect("a file").path());
-    let is_called = |path: &PathBuf| path.to_string_lossy().ends_with("-called.h");
-    let mut files: Vec<PathBuf> = files.filter(|path| !is_called(path)).collect();
+    let is_program = |path: &PathBuf| {
+        !is_called(path) && path.extension().is_some_and(|own| own == "h" || own == "i")
+    };
+    let mut files: Vec<PathBuf> = files.filter(is_program).collect();
     files.sort();
     files
 }
