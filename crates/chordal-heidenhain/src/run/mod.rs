@@ -13,6 +13,7 @@ mod block_values;
 mod compensation;
 mod contours;
 mod corners;
+mod cycle_moves;
 mod cycles;
 mod dispatch;
 mod flow;
