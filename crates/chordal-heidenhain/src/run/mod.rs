@@ -15,6 +15,7 @@ mod contours;
 mod corners;
 mod cycle_moves;
 mod cycles;
+mod datums;
 mod dispatch;
 mod flow;
 mod frames;
