@@ -40,6 +40,10 @@ pub const ARITHMETICAL_ERROR: &str = "ARITHMETICAL ERROR";
 pub const CYCLE_INCOMPLETE: &str = "CYCL INCOMPLETE";
 /// There is no tool.
 pub const TOOL_NOT_DEFINED: &str = "TOOL NOT DEFINED";
+/// There is no datum table, or none of several is active.
+pub const DATUM_TABLE_MISSING: &str = "DATUM TABLE ?";
+/// The datum table has no line with this number.
+pub const DATUM_NUMBER_MISSING: &str = "DATUM NUMBER NOT FOUND";
 /// A word stands twice in a block.
 pub const DOUBLE_PROGRAMMED: &str = "AXIS DOUBLE PROGRAMMED";
 

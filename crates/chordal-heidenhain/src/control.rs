@@ -17,6 +17,7 @@ use chordal_machine::{AXES, Body, ControlName, Machine, RapidShape};
 
 use crate::alarms::TEXTS_OF_CODES;
 use crate::blank_form::blank_form;
+use crate::datum_table::{is_datum_table, is_preset_table, take_preset_table};
 use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
@@ -110,15 +111,19 @@ impl ConfiguredControl for HeidenhainControl {
     }
 
     fn table_extensions(&self) -> &'static [&'static str] {
-        &["t"]
+        &["t", "d", "pr"]
     }
 
     fn is_table(&self, text: &[u8]) -> bool {
-        is_tool_table(text)
+        is_tool_table(text) || is_preset_table(text) || is_datum_table(text)
     }
 
     fn take_table(&self, text: &[u8], machine: &mut Machine) {
-        take_tool_table(text, machine);
+        match () {
+            () if is_tool_table(text) => take_tool_table(text, machine),
+            // Datum tables are read by the program that names one.
+            () => take_preset_table(text, machine, HEIDENHAIN_PROFILE.work_names),
+        }
     }
 
     fn defined_stock(&self, text: &[u8]) -> Option<(Body, TextRange)> {

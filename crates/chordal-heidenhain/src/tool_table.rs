@@ -2,72 +2,31 @@
 
 use chordal_machine::{Machine, Tool, ToolShape};
 
+use crate::table::ControlTableText;
+
 /// Whether a text is a tool table.
 pub fn is_tool_table(text: &[u8]) -> bool {
     let first = text.trim_ascii_start();
     first.get(..10).is_some_and(|start| start.eq_ignore_ascii_case(b"BEGIN TOOL"))
 }
 
-/// A column: its name and the bytes of a line that belong to it.
-struct TableColumn<'t> {
-    name: &'t str,
-    start: usize,
-    end: usize,
-}
-
-/// The columns of a header line: each reaches to the start of the next.
-fn columns(header: &str) -> Vec<TableColumn<'_>> {
-    let mut found: Vec<TableColumn<'_>> = Vec::new();
-    let mut at = 0;
-    for name in header.split(' ') {
-        if !name.is_empty() {
-            if let Some(last) = found.last_mut() {
-                last.end = at;
-            }
-            found.push(TableColumn { name, start: at, end: usize::MAX });
-        }
-        at += name.len() + 1;
-    }
-    found
-}
-
 /// Takes the tools of a table over into a machine: what the control holds wins, what it does not say stays.
 pub fn take_tool_table(text: &[u8], machine: &mut Machine) {
-    // Names may have letters of any code page; columns are counted in characters.
-    let text: String = text.iter().map(|byte| char::from(*byte)).collect();
-    let mut lines = text.lines().map(|line| line.trim_end_matches('\r'));
-    let Some(first) = lines.find(|line| !line.trim().is_empty()) else { return };
-    let is_inch = first.to_ascii_uppercase().contains(" INCH");
-    let unit = if is_inch { 25.4 } else { 1.0 };
-    let Some(header) = lines.find(|line| !line.trim().is_empty()) else { return };
-    let columns = columns(header);
-    for line in lines.take_while(|line| !line.trim_start().starts_with('[')) {
-        let letters: Vec<char> = line.chars().collect();
-        let cell = |column: &TableColumn<'_>| -> String {
-            let end = column.end.min(letters.len());
-            let letters = letters.get(column.start.min(end)..end).unwrap_or_default();
-            letters.iter().collect::<String>().trim().to_string()
-        };
-        let find = |name: &str| {
-            let column = columns.iter().find(|column| column.name.eq_ignore_ascii_case(name));
-            column.map(cell).filter(|text| !text.is_empty())
-        };
-        let number = |name: &str| {
-            let value: f64 = find(name)?.replace(',', ".").parse().ok()?;
-            value.is_finite().then_some(value)
-        };
+    let Some(table) = ControlTableText::read(text) else { return };
+    for row in table.rows() {
         // A tool with an index (5.1) is another edge of the same tool.
-        let Some(tool) = find("T").and_then(|text| text.parse::<u32>().ok()) else { continue };
+        let Some(tool) = row.text("T").and_then(|text| text.parse::<u32>().ok()) else { continue };
         let is_empty = ["NAME", "L", "R"]
             .iter()
-            .all(|name| find(name).is_none_or(|text| text.parse::<f64>() == Ok(0.0)));
+            .all(|name| row.text(name).is_none_or(|text| text.parse::<f64>() == Ok(0.0)));
         if tool == 0 || is_empty {
             continue;
         }
         let entry = machine.tools.entry(tool).or_default();
-        take_row(entry, find("NAME"), &|name| number(name).map(|value| value * unit), &number);
+        let length = |name: &str| row.number(name).map(|value| value * table.unit_mm);
+        take_row(entry, row.text("NAME"), &length, &|name| row.number(name));
         if entry.shape.is_none() {
-            entry.shape = shape_of(entry, find("TYP").as_deref(), number("R2").is_some());
+            entry.shape = shape_of(entry, row.text("TYP").as_deref(), row.number("R2").is_some());
         }
     }
 }

@@ -16,16 +16,15 @@ const MAX_STROKES: usize = 10_000;
 
 /// The levels of a hole.
 #[derive(Clone, Copy, Debug)]
-struct DrilledHoleLevels {
-    clearance: f64,
-    surface: f64,
-    bottom: f64,
-    end: f64,
-}
-
-/// Whether a cycle is one of this file.
-pub fn is_drilling_cycle(number: u32) -> bool {
-    matches!(number, 200..=209 | 240)
+pub struct DrilledHoleLevels {
+    /// Where the tool goes by a rapid first.
+    pub clearance: f64,
+    /// Where the hole begins.
+    pub surface: f64,
+    /// Where it ends.
+    pub bottom: f64,
+    /// Where the tool is after the cycle.
+    pub end: f64,
 }
 
 /// The steps of a cycle with parameters.
@@ -128,7 +127,10 @@ fn drill(
 }
 
 /// The levels of the strokes: each is shorter than the one before by a decrement, but not under a least one.
-fn stroke_levels(
+///
+/// # Errors
+/// For strokes that do not reach the bottom.
+pub fn stroke_levels(
     levels: &DrilledHoleLevels,
     stroke: f64,
     decrement: f64,
@@ -196,7 +198,7 @@ fn peck(
         }
         done = 0;
         let feed = if is_deep { CycleFeed::Rapid } else { values.retraction() };
-        steps.push(retraction(levels.clearance, feed));
+        steps.push(KlartextCycleStep::moved(levels.clearance, feed));
         dwell(values.number(210), steps);
         let part = (begin.surface - level) / (begin.surface - levels.bottom);
         let distance = match is_deep {
@@ -211,16 +213,9 @@ fn peck(
     }
     dwell(values.number(211), steps);
     if !is_deep {
-        steps.push(retraction(levels.clearance, values.retraction()));
+        steps.push(KlartextCycleStep::moved(levels.clearance, values.retraction()));
     }
     Ok(())
-}
-
-fn retraction(to: f64, feed: CycleFeed) -> KlartextCycleStep {
-    match feed {
-        CycleFeed::Rapid => KlartextCycleStep::Rapid(to),
-        feed => KlartextCycleStep::Feed { to, feed },
-    }
 }
 
 /// The chips of a stroke of cycle 205 are broken every Q257.
@@ -271,7 +266,7 @@ fn bore(
     if let Some(offset) = away {
         steps.push(KlartextCycleStep::Across { offset, feed: CycleFeed::Rapid });
     }
-    steps.push(retraction(levels.clearance, values.retraction()));
+    steps.push(KlartextCycleStep::moved(levels.clearance, values.retraction()));
     if away.is_some() {
         steps.push(KlartextCycleStep::Across { offset: [0.0; 2], feed: CycleFeed::Rapid });
     }

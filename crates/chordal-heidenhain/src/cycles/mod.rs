@@ -1,19 +1,25 @@
 //! What the cycles do, as steps along the axis of the tool and in its plane. No program and no kernel is needed.
 
 mod drilling;
+mod faces;
+mod levels;
 mod old_cycles;
+mod outline;
 mod patterns;
 mod pockets;
 mod signatures;
+mod single_lip;
+mod slots;
 mod step;
+mod studs;
 mod threads;
 mod values;
 
-pub use drilling::{is_drilling_cycle, parameter_cycle_steps};
-pub use old_cycles::{OldCycle, OldCycleData, old_cycle_steps};
+pub use drilling::parameter_cycle_steps;
+pub use old_cycles::{OldCycle, OldCycleData, old_cycle_lines, old_cycle_steps};
 pub use patterns::{PatternPoints, pattern_points};
-pub use pockets::{is_pocket_cycle, old_pocket_steps, pocket_steps};
-pub use signatures::{KlartextCycleSignature, MISSING_DEPTH, cycle_signature, old_cycle_lines};
+pub use pockets::old_pocket_steps;
+pub use signatures::{KlartextCycleRunner, MISSING_DEPTH, cycle_signature};
+pub use slots::old_slot_steps;
 pub use step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
-pub use threads::{is_thread_cycle, thread_steps};
 pub use values::CycleValues;

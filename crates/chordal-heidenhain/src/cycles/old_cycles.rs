@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use super::signatures::old_cycle_lines;
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
 
 /// The values of an old cycle by the line of its data, in their order; lengths in mm, feeds in mm/s. The words before
@@ -11,6 +10,8 @@ use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep
 pub struct OldCycleData {
     /// The values.
     pub lines: BTreeMap<u32, Vec<f64>>,
+    /// The first side (line 4) lies along the second axis of the plane.
+    pub second_axis_first: bool,
 }
 
 /// An old cycle.
@@ -25,9 +26,27 @@ pub struct OldCycle {
 /// More strokes than this are a mistake in the data.
 const MAX_OLD_STROKES: usize = 10_000;
 
+/// How many lines of data an old cycle has; `None` for one that is not carried out.
+pub fn old_cycle_lines(number: u32) -> Option<u32> {
+    match number {
+        1 => Some(5),
+        2 => Some(4),
+        17 | 18 => Some(3),
+        3 | 4 => Some(6),
+        5 => Some(5),
+        _ => None,
+    }
+}
+
 impl OldCycle {
     fn value(&self, line: u32) -> f64 {
-        self.data.lines.get(&line).and_then(|values| values.first()).copied().unwrap_or(0.0)
+        self.nth_value(line, 0)
+    }
+
+    /// A value of a line by its index; 0 without it.
+    pub fn nth_value(&self, line: u32, index: usize) -> f64 {
+        let values = self.data.lines.get(&line);
+        values.and_then(|values| values.get(index)).copied().unwrap_or(0.0)
     }
 
     /// The lines that have no value.
@@ -149,7 +168,10 @@ mod tests {
 
     fn cycle(number: u32, values: &[f64]) -> OldCycle {
         let lines = values.iter().enumerate().map(|(line, value)| (line as u32 + 1, vec![*value]));
-        OldCycle { number, data: OldCycleData { lines: lines.collect() } }
+        OldCycle {
+            number,
+            data: OldCycleData { lines: lines.collect(), ..OldCycleData::default() },
+        }
     }
 
     #[test]

@@ -3,30 +3,16 @@
 //! Shape, levels and ends are those of the control. The order of the cuts is not given by any manual: each level is
 //! cleared in rings from the centre outwards, counter-clockwise.
 
-use std::f64::consts::{FRAC_PI_2, PI, TAU};
-
 use chordal_kernel::frames::sin_cos_degrees;
 
+use super::levels::{MAX_CUTS, infeed_levels};
 use super::old_cycles::OldCycle;
+use super::outline::{KlartextPocketOutline, follow, shrunk, turned};
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
 use super::values::CycleValues;
 
-/// More rings or levels than this are a mistake in the data.
-const MAX_POCKET_RINGS: f64 = 10_000.0;
-
 /// The stepover as a part of the radius of the tool, where the cycle gives none.
 const USUAL_OVERLAP: f64 = 1.0;
-
-/// The outline that the centre of the tool follows on the wall, about a point; mm.
-#[derive(Clone, Copy, PartialEq, Debug)]
-enum KlartextPocketOutline {
-    /// Half of both sides, the radius of the corners, the angle, degrees.
-    Rectangle([f64; 2], f64, f64),
-    /// The radius.
-    Circle(f64),
-    /// An arc slot: the radius of its centre line, half its width, its first angle and its length, degrees.
-    ArcSlot(f64, f64, f64, f64),
-}
 
 /// What is cut at each level.
 #[derive(Clone, Copy, Debug)]
@@ -47,11 +33,6 @@ struct PocketFeeds {
     finish: CycleFeed,
     /// The distance of two rings, mm.
     stepover: f64,
-}
-
-/// Whether a cycle is one of this file.
-pub fn is_pocket_cycle(number: u32) -> bool {
-    matches!(number, 251..=254)
 }
 
 fn too_large(tool: f64, width: f64) -> KlartextCycleFault {
@@ -113,10 +94,7 @@ pub fn old_pocket_steps(
     context: &CycleContext,
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
     cycle.check_complete()?;
-    let value = |line: u32, index: usize| {
-        let values = cycle.data.lines.get(&line);
-        values.and_then(|values| values.get(index)).copied().unwrap_or(0.0)
-    };
+    let value = |line: u32, index: usize| cycle.nth_value(line, index);
     let tool = context.needed_tool_radius(cycle.number)?;
     let surface = context.level - value(1, 0).abs();
     let levels = PocketLevels {
@@ -129,7 +107,10 @@ pub fn old_pocket_steps(
     let mut mill = CycleFeed::Active;
     let wall = match cycle.number {
         4 => {
-            let sides = [value(4, 0), value(5, 0)].map(f64::abs);
+            let mut sides = [value(4, 0), value(5, 0)].map(f64::abs);
+            if cycle.data.second_axis_first {
+                sides.swap(0, 1);
+            }
             mill = speed(value(6, 0)).unwrap_or(mill);
             rectangle(sides, value(6, 1), 0.0, tool)?
         }
@@ -151,7 +132,11 @@ fn speed(value: f64) -> Option<CycleFeed> {
     (value > 0.0).then_some(CycleFeed::Speed(value))
 }
 
-fn rectangle(
+/// The path of the centre of a tool in a rectangle, which may be turned.
+///
+/// # Errors
+/// For a tool that does not fit.
+pub fn rectangle(
     sides: [f64; 2],
     corner: f64,
     degrees: f64,
@@ -166,12 +151,16 @@ fn rectangle(
     Ok(KlartextPocketOutline::Rectangle(halves, corner, degrees))
 }
 
-fn circle(diameter: f64, tool: f64) -> Result<KlartextPocketOutline, KlartextCycleFault> {
+/// The path of the centre of a tool in a circle.
+///
+/// # Errors
+/// For a tool that does not fit.
+pub fn circle(diameter: f64, tool: f64) -> Result<KlartextPocketOutline, KlartextCycleFault> {
     let radius = diameter / 2.0 - tool;
     if radius < -1e-9 {
         return Err(too_large(tool, diameter));
     }
-    Ok(KlartextPocketOutline::Circle(radius.max(0.0)))
+    Ok(KlartextPocketOutline::Circle(radius.max(0.0), 0.0))
 }
 
 fn outline(
@@ -205,22 +194,6 @@ fn outline(
     }
 }
 
-/// The outline with an allowance on its wall.
-fn shrunk(wall: KlartextPocketOutline, by: f64) -> KlartextPocketOutline {
-    match wall {
-        KlartextPocketOutline::Rectangle(halves, corner, degrees) => {
-            let halves = halves.map(|half| (half - by).max(0.0));
-            KlartextPocketOutline::Rectangle(halves, (corner - by).max(0.0), degrees)
-        }
-        KlartextPocketOutline::Circle(radius) => {
-            KlartextPocketOutline::Circle((radius - by).max(0.0))
-        }
-        KlartextPocketOutline::ArcSlot(radius, half, from, length) => {
-            KlartextPocketOutline::ArcSlot(radius, (half - by).max(0.0), from, length)
-        }
-    }
-}
-
 /// The centres of the pockets from where the cycle is called: a rectangle may be named by a corner, an arc slot by its
 /// centre, and it may be repeated.
 fn places(number: u32, values: &CycleValues, context: &CycleContext) -> Vec<[f64; 2]> {
@@ -245,11 +218,6 @@ fn places(number: u32, values: &CycleValues, context: &CycleContext) -> Vec<[f64
     vec![turned(local, degrees)]
 }
 
-fn turned([x, y]: [f64; 2], degrees: f64) -> [f64; 2] {
-    let (sin, cos) = sin_cos_degrees(degrees);
-    [x * cos - y * sin, x * sin + y * cos]
-}
-
 /// What is done of a pocket.
 #[derive(Clone, Copy, Debug)]
 struct PocketParts {
@@ -266,17 +234,10 @@ fn cut_pocket(
     feeds: &PocketFeeds,
     steps: &mut Vec<KlartextCycleStep>,
 ) -> Result<(), KlartextCycleFault> {
-    let depth = levels.surface - levels.bottom;
-    let count = match levels.infeed {
-        infeed if infeed > 0.0 => (depth / infeed - 1e-9).ceil().max(1.0),
-        _ => 1.0,
-    };
-    if count > MAX_POCKET_RINGS {
-        let message = format!("an infeed of {} mm makes {count} levels", levels.infeed);
-        return Err(KlartextCycleFault::BadValue(message));
-    }
+    let cut_levels = infeed_levels(levels.surface, levels.bottom, levels.infeed)?;
+    let count = cut_levels.len() as f64;
     let all_rings = rings(&parts.rough, feeds.stepover)?;
-    if count * all_rings.len() as f64 > MAX_POCKET_RINGS {
+    if count * all_rings.len() as f64 > MAX_CUTS {
         let message = format!(
             "an infeed of {} mm and a stepover of {} mm make {} rings",
             levels.infeed,
@@ -287,9 +248,6 @@ fn cut_pocket(
     }
     let start = start_point(&parts.rough, place);
     steps.push(KlartextCycleStep::Across { offset: start, feed: CycleFeed::Rapid });
-    let mut cut_levels: Vec<f64> =
-        (1..count as u32).map(|level| levels.surface - f64::from(level) * levels.infeed).collect();
-    cut_levels.push(levels.bottom);
     if parts.roughs {
         for level in cut_levels {
             steps.push(KlartextCycleStep::Feed { to: level, feed: feeds.plunge });
@@ -315,7 +273,7 @@ fn start_point(outline: &KlartextPocketOutline, place: [f64; 2]) -> [f64; 2] {
             let (sin, cos) = sin_cos_degrees(*from);
             [radius * cos, radius * sin]
         }
-        KlartextPocketOutline::Rectangle(..) | KlartextPocketOutline::Circle(_) => [0.0; 2],
+        KlartextPocketOutline::Rectangle(..) | KlartextPocketOutline::Circle(..) => [0.0; 2],
     };
     [place[0] + local[0], place[1] + local[1]]
 }
@@ -327,11 +285,11 @@ fn rings(
 ) -> Result<Vec<KlartextPocketOutline>, KlartextCycleFault> {
     let reach = match outline {
         KlartextPocketOutline::Rectangle(halves, ..) => halves[0].min(halves[1]),
-        KlartextPocketOutline::Circle(radius) => *radius,
+        KlartextPocketOutline::Circle(radius, _) => *radius,
         KlartextPocketOutline::ArcSlot(_, half, ..) => *half,
     };
     let count = if stepover > 0.0 { (reach / stepover - 1e-9).ceil().max(1.0) } else { 1.0 };
-    if count > MAX_POCKET_RINGS {
+    if count > MAX_CUTS {
         let message = format!("a stepover of {stepover} mm makes {count} rings");
         return Err(KlartextCycleFault::BadValue(message));
     }
@@ -340,73 +298,6 @@ fn rings(
         shrunk(*outline, inset)
     };
     Ok((0..=count as u32).map(ring).collect())
-}
-
-/// Once round an outline, counter-clockwise, about a point.
-fn follow(
-    outline: &KlartextPocketOutline,
-    place: [f64; 2],
-    feed: CycleFeed,
-    steps: &mut Vec<KlartextCycleStep>,
-) {
-    let at = |[x, y]: [f64; 2]| [place[0] + x, place[1] + y];
-    match outline {
-        KlartextPocketOutline::Circle(radius) => {
-            if *radius <= 0.0 {
-                return;
-            }
-            steps.push(KlartextCycleStep::Across { offset: at([*radius, 0.0]), feed });
-            let end = at([*radius, 0.0]);
-            steps.push(KlartextCycleStep::Arc { center: place, end, sweep_rad: TAU, feed });
-        }
-        KlartextPocketOutline::Rectangle([x, y], corner, degrees) => {
-            let put = |local: [f64; 2]| at(turned(local, *degrees));
-            let r = *corner;
-            let line = |local: [f64; 2]| KlartextCycleStep::Across { offset: put(local), feed };
-            let arc = |center: [f64; 2], end: [f64; 2]| KlartextCycleStep::Arc {
-                center: put(center),
-                end: put(end),
-                sweep_rad: FRAC_PI_2,
-                feed,
-            };
-            steps.push(line([*x, 0.0]));
-            // Signs of the corners, and whether the corner is left along the first axis.
-            for [sx, sy] in [[1.0, 1.0], [-1.0, 1.0], [-1.0, -1.0], [1.0, -1.0]] {
-                let center = [sx * (x - r), sy * (y - r)];
-                let upright = [sx * x, sy * (y - r)];
-                let level = [sx * (x - r), sy * y];
-                let (first, last) = if sx == sy { (upright, level) } else { (level, upright) };
-                steps.push(line(first));
-                if r > 0.0 {
-                    steps.push(arc(center, last));
-                }
-            }
-            steps.push(line([*x, 0.0]));
-        }
-        KlartextPocketOutline::ArcSlot(radius, half, from, length) => {
-            let polar = |radius: f64, degrees: f64| {
-                let (sin, cos) = sin_cos_degrees(degrees);
-                at([radius * cos, radius * sin])
-            };
-            let to = from + length;
-            let sweep_rad = length.to_radians();
-            let turn = sweep_rad.signum() * PI;
-            steps.push(KlartextCycleStep::Across { offset: polar(radius + half, *from), feed });
-            let mut arc = |center, end, sweep_rad| {
-                steps.push(KlartextCycleStep::Arc { center, end, sweep_rad, feed });
-            };
-            arc(place, polar(radius + half, to), sweep_rad);
-            if *half > 0.0 {
-                arc(polar(*radius, to), polar(radius - half, to), turn);
-            }
-            if radius - half > 0.0 {
-                arc(place, polar(radius - half, *from), -sweep_rad);
-            }
-            if *half > 0.0 {
-                arc(polar(*radius, *from), polar(radius + half, *from), turn);
-            }
-        }
-    }
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! The steps of cycles.
 
+use chordal_command::SpindleState;
+
 /// A feed of a step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum CycleFeed {
@@ -42,6 +44,28 @@ pub enum KlartextCycleStep {
         /// The feed.
         feed: CycleFeed,
     },
+    /// To a point of the plane and a level together.
+    Ramp {
+        /// From where the cycle was called.
+        offset: [f64; 2],
+        /// The level.
+        to: f64,
+        /// The feed.
+        feed: CycleFeed,
+    },
+    /// An arc in the plane that ends on another level.
+    ArcRamp {
+        /// Its centre, from where the cycle was called.
+        center: [f64; 2],
+        /// Its end, from there as well.
+        end: [f64; 2],
+        /// Its angle, rad, positive counter-clockwise.
+        sweep_rad: f64,
+        /// The level.
+        to: f64,
+        /// The feed.
+        feed: CycleFeed,
+    },
     /// A helix about where the cycle was called, counter-clockwise.
     Helix {
         /// Its angle, rad.
@@ -59,6 +83,25 @@ pub enum KlartextCycleStep {
     SpindleOn,
     /// The spindle turns the other way than before the cycle.
     Reverse,
+    /// The spindle turns in a direction, and at a speed.
+    Turn {
+        /// The direction.
+        state: SpindleState,
+        /// The speed, rev/min; `None` for that of before.
+        rpm: Option<f64>,
+    },
+    /// The coolant by an M function.
+    Coolant(u32),
+}
+
+impl KlartextCycleStep {
+    /// To a level, by a rapid or at a feed.
+    pub fn moved(to: f64, feed: CycleFeed) -> KlartextCycleStep {
+        match feed {
+            CycleFeed::Rapid => KlartextCycleStep::Rapid(to),
+            feed => KlartextCycleStep::Feed { to, feed },
+        }
+    }
 }
 
 /// What a cycle finds when it is called; lengths in mm.

@@ -1,7 +1,8 @@
-//! Milling of inside threads: cycles 262 to 265.
+//! Milling of threads: cycles 262 to 265 inside, 267 outside.
 //!
 //! Diameter, pitch, hand, depth and end are those of the control; how the tool comes to the wall and leaves it is assumed:
-//! by half circles from the centre.
+//! by half circles from the centre, or from a pitch outside of a stud. The countersink at the front of the tool (Q358)
+//! is a full circle at its depth, Q359 from the centre (TNC 426/430 280 476, 8.3).
 
 use std::f64::consts::{PI, TAU};
 
@@ -11,14 +12,11 @@ use super::values::CycleValues;
 /// More turns than this are a mistake in the data.
 const MAX_TURNS: f64 = 10_000.0;
 
-/// Whether a cycle is one of this file.
-pub fn is_thread_cycle(number: u32) -> bool {
-    matches!(number, 262..=265)
-}
-
 /// A helix of a thread.
 #[derive(Clone, Copy, Debug)]
 struct ThreadHelix {
+    /// Where the tool goes down: from the centre along the first axis, mm.
+    begin: f64,
     /// The radius of the path of the tool's centre, mm.
     radius: f64,
     /// Where it begins.
@@ -32,7 +30,7 @@ struct ThreadHelix {
     feed: CycleFeed,
 }
 
-/// The steps of cycle 262, 263, 264 or 265.
+/// The steps of cycle 262, 263, 264, 265 or 267.
 ///
 /// # Errors
 /// Why it does not run.
@@ -44,7 +42,8 @@ pub fn thread_steps(
     let Some(depth) = values.downward_depth()? else { return Ok(Vec::new()) };
     let tool = context.needed_tool_radius(number)?;
     let (nominal, pitch) = (values.length(335) / 2.0, values.length(239));
-    let radius = nominal - tool;
+    let is_outside = number == 267;
+    let radius = if is_outside { nominal + tool } else { nominal - tool };
     if radius <= 0.0 {
         let message = format!(
             "the tool of {} mm does not fit into the thread of {} mm",
@@ -58,35 +57,42 @@ pub fn thread_steps(
         let message = format!("a pitch of {pitch} mm does not make a thread of {depth} mm");
         return Err(KlartextCycleFault::BadValue(message));
     }
-    let front = values.length(358);
-    if front != 0.0 {
-        let message =
-            format!("countersinking at the front (Q358) of cycle {number} is not followed");
-        return Err(KlartextCycleFault::NotFollowed(message));
-    }
     let surface = values.length(203);
     let clearance = surface + values.length(200);
     let bottom = surface + depth;
+    let begin = if is_outside { radius + pitch.abs() } else { 0.0 };
     let mut steps = vec![KlartextCycleStep::Rapid(clearance)];
+    if is_outside {
+        let offset = [begin, 0.0];
+        steps.push(KlartextCycleStep::Across { offset, feed: CycleFeed::Rapid });
+    }
     match number {
         263 => countersink(values, surface, clearance, &mut steps),
         264 => drill(values, surface, clearance, &mut steps)?,
         _ => {}
+    }
+    // Cycle 265 may make it after the thread.
+    let is_front_last = number == 265 && values.number(360) != 0.0;
+    if !is_front_last {
+        countersink_front(number, values, surface, begin, &mut steps);
     }
     // F counts at the edge of the tool.
     let feed = match values.feed(207) {
         CycleFeed::Speed(speed) => CycleFeed::Speed(speed * radius / nominal),
         feed => feed,
     };
-    // Climb milling goes counter-clockwise inside; a right-hand thread then goes up. Cycle 265 goes down.
+    // Climb milling goes counter-clockwise inside and clockwise outside; a right-hand thread then goes up, or down.
+    // Cycle 265 goes down.
+    let is_up_cut = values.number(351) < 0.0;
     let sign = match number {
         265 => -pitch.signum(),
-        _ if values.number(351) < 0.0 => -1.0,
+        _ if is_up_cut != is_outside => -1.0,
         _ => 1.0,
     };
     let height = pitch * sign;
-    let per_step = if number == 262 { values.number(355).round() } else { 1.0 };
+    let per_step = if matches!(number, 262 | 267) { values.number(355).round() } else { 1.0 };
     let helix = |turns: f64, end: f64| ThreadHelix {
+        begin,
         radius,
         from: if height > 0.0 { end } else { end - turns * height },
         turns,
@@ -107,20 +113,60 @@ pub fn thread_steps(
             }
         }
     }
+    if is_front_last {
+        countersink_front(number, values, surface, begin, &mut steps);
+    }
     steps.push(KlartextCycleStep::Rapid(clearance.max(surface + values.length(204))));
     Ok(steps)
 }
 
-/// From the centre by a half circle to the wall, along the helix, and back to the centre.
+/// From where the tool goes down by a half circle to the wall, along the helix, and back.
 fn mill(helix: &ThreadHelix, position: CycleFeed, steps: &mut Vec<KlartextCycleStep>) {
-    let ThreadHelix { radius, from, turns, height, sign, feed } = *helix;
-    let middle = [radius / 2.0, 0.0];
+    let ThreadHelix { begin, radius, from, turns, height, sign, feed } = *helix;
     steps.push(KlartextCycleStep::Feed { to: from, feed: position });
-    let half = |end| KlartextCycleStep::Arc { center: middle, end, sweep_rad: sign * PI, feed };
-    steps.push(half([radius, 0.0]));
+    steps.push(half_circle(begin, radius, sign, feed));
     let to = from + turns * height;
     steps.push(KlartextCycleStep::Helix { sweep_rad: sign * turns * TAU, to, feed });
-    steps.push(half([0.0; 2]));
+    steps.push(half_circle(radius, begin, sign, feed));
+}
+
+/// A half circle between two points of the first axis that is tangent to a circle about the centre through the one that
+/// is not where the tool goes down.
+fn half_circle(from: f64, to: f64, sign: f64, feed: CycleFeed) -> KlartextCycleStep {
+    // From outside it turns the other direction than the circle, from the centre the same.
+    let is_outside = from.min(to) > 0.0;
+    let sweep_rad = if is_outside { -sign * PI } else { sign * PI };
+    KlartextCycleStep::Arc { center: [(from + to) / 2.0, 0.0], end: [to, 0.0], sweep_rad, feed }
+}
+
+/// The countersink at the front of the tool: down to Q358, a full circle at Q359 from the centre, and back.
+fn countersink_front(
+    number: u32,
+    values: &CycleValues,
+    surface: f64,
+    begin: f64,
+    steps: &mut Vec<KlartextCycleStep>,
+) {
+    let depth = values.length(358);
+    if depth == 0.0 {
+        return;
+    }
+    // Inside, the tool is moved away from the centre of the hole, outside from that of the stud.
+    let offset = values.length(359).abs();
+    let to = surface + depth;
+    let feed = values.feed(254);
+    steps.push(KlartextCycleStep::Feed { to, feed: values.feed(253) });
+    if offset == 0.0 {
+        return;
+    }
+    let sign = if number == 267 { -1.0 } else { 1.0 };
+    if begin != offset {
+        steps.push(half_circle(begin, offset, sign, feed));
+    }
+    steps.push(KlartextCycleStep::Helix { sweep_rad: sign * TAU, to, feed });
+    if begin != offset {
+        steps.push(half_circle(offset, begin, sign, feed));
+    }
 }
 
 /// Cycle 263: the countersink of the tool goes to its depth.

@@ -2,21 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::{AxisMask, CommandKind, FeedMode, SpindleState};
+use chordal_command::{AxisMask, FeedMode};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
-use chordal_geometry::TurnDirection;
 
 use super::interpreter::KlartextInterpreter;
 use super::program_texts::called_name;
 use super::run_state::{CycleNumber, DataValue, KlartextFlow, StoredCycle};
 use crate::alarms::{CYCLE_INCOMPLETE, TOOL_TOO_LARGE};
 use crate::cycles::{
-    CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleStep, OldCycle,
-    OldCycleData, cycle_signature, is_drilling_cycle, is_pocket_cycle, is_thread_cycle,
-    old_cycle_lines, old_cycle_steps, old_pocket_steps, parameter_cycle_steps, pattern_points,
-    pocket_steps, thread_steps,
+    CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleRunner, OldCycle,
+    OldCycleData, cycle_signature, old_cycle_lines, old_cycle_steps, old_pocket_steps,
+    old_slot_steps, pattern_points,
 };
-use crate::geometry::ContourElement;
 use crate::syntax::{CycleValue, CycleWord, KlartextStatement, PathWords};
 
 /// The parameters that a pattern gives to the cycle before it.
@@ -56,7 +53,7 @@ impl KlartextInterpreter<'_> {
             }
             return KlartextFlow::Next;
         };
-        if !signature.is_carried_out {
+        if matches!(signature.runner, KlartextCycleRunner::Nothing) {
             let what = format!(
                 "cycle {number} ({}) is not followed: what it cuts is missing here",
                 signature.title
@@ -179,14 +176,20 @@ impl KlartextInterpreter<'_> {
         };
         // F stands with its letter on the lines of pockets.
         let convert = |line: u32, word: &DataValue, value: f64| match word.label.as_str() {
-            "F" if matches!(number, 4 | 5) => value * feed_unit,
+            "F" if matches!(number, 3..=5) => value * feed_unit,
             _ => by_line(line, value),
         };
         let values = |(line, data): (&u32, &Vec<DataValue>)| {
             let values = data.iter().filter_map(|word| Some((word, word.value?)));
             (*line, values.map(|(word, value)| convert(*line, word, value)).collect())
         };
-        OldCycle { number, data: OldCycleData { lines: lines.iter().map(values).collect() } }
+        // The sides of slots and pockets may stand in either order of the axes.
+        let (_, second, _) = self.tool_plane().axes();
+        let side = lines.get(&4).and_then(|words| words.first());
+        let second_axis_first = matches!(number, 3 | 4)
+            && side.is_some_and(|word| word.label == ["X", "Y", "Z"][second]);
+        let lines = lines.iter().map(values).collect();
+        OldCycle { number, data: OldCycleData { lines, second_axis_first } }
     }
 
     /// CYCL CALL.
@@ -279,9 +282,12 @@ impl KlartextInterpreter<'_> {
                 let old = self.old_cycle(number, &lines);
                 let context = self.cycle_context();
                 let steps = match number {
-                    4 | 5 => {
+                    3..=5 => {
                         self.report_assumed_path(number);
-                        old_pocket_steps(&old, &context)
+                        match number {
+                            3 => old_slot_steps(&old, &context),
+                            _ => old_pocket_steps(&old, &context),
+                        }
                     }
                     _ => old_cycle_steps(&old, &context),
                 };
@@ -300,20 +306,16 @@ impl KlartextInterpreter<'_> {
     }
 
     fn run_parameter_cycle(&mut self, number: u32, values: &CycleValues) {
-        let (is_pocket, is_thread) = (is_pocket_cycle(number), is_thread_cycle(number));
-        if !is_pocket && !is_thread && !is_drilling_cycle(number) {
-            return;
-        }
-        if is_pocket || is_thread || matches!(number, 204 | 208) {
-            self.report_assumed_path(number);
-        }
-        let context = self.cycle_context();
-        let steps = match (is_pocket, is_thread) {
-            (true, _) => pocket_steps(number, values, &context),
-            (_, true) => thread_steps(number, values, &context),
-            _ => parameter_cycle_steps(number, values, &context),
+        let runner = cycle_signature(number).map(|signature| signature.runner);
+        let steps = match runner {
+            Some(KlartextCycleRunner::Exact(steps)) => steps,
+            Some(KlartextCycleRunner::Assumed(steps)) => {
+                self.report_assumed_path(number);
+                steps
+            }
+            Some(KlartextCycleRunner::AtOnce | KlartextCycleRunner::Nothing) | None => return,
         };
-        match steps {
+        match steps(number, values, &self.cycle_context()) {
             Ok(steps) => self.run_steps(&steps),
             Err(fault) => self.report_cycle(fault),
         }
@@ -416,100 +418,5 @@ impl KlartextInterpreter<'_> {
             }
         }
         KlartextFlow::Next
-    }
-
-    /// Carries out the steps of a cycle.
-    fn run_steps(&mut self, steps: &[KlartextCycleStep]) {
-        let start = self.programmed();
-        let (a, b, normal) = self.tool_plane().axes();
-        let hole = [start[a], start[b]];
-        let spindle = self.kernel.state.spindle;
-        self.kernel.origin.cycle = true;
-        for step in steps {
-            let now = self.programmed();
-            let mut place = [now[0], now[1], now[2]];
-            match *step {
-                KlartextCycleStep::Rapid(level) => {
-                    place[normal] = level;
-                    self.rapid_to(place, AxisMask::LINEAR);
-                }
-                KlartextCycleStep::Feed { to, feed } => {
-                    place[normal] = to;
-                    self.cycle_move(place, feed);
-                }
-                KlartextCycleStep::Across { offset, feed } => {
-                    (place[a], place[b]) = (hole[0] + offset[0], hole[1] + offset[1]);
-                    self.cycle_move(place, feed);
-                }
-                KlartextCycleStep::Arc { center, end, sweep_rad, feed } => {
-                    (place[a], place[b]) = (hole[0] + end[0], hole[1] + end[1]);
-                    let center = [hole[0] + center[0], hole[1] + center[1]];
-                    self.cycle_arc(center, place, sweep_rad, feed);
-                }
-                KlartextCycleStep::Helix { sweep_rad, to, feed } => {
-                    self.cycle_helix(hole, sweep_rad, to, feed);
-                }
-                KlartextCycleStep::Dwell(seconds) => {
-                    self.kernel.emit(CommandKind::Dwell { seconds, label: None });
-                }
-                KlartextCycleStep::Orient => self.kernel.set_spindle(SpindleState::Oriented),
-                KlartextCycleStep::SpindleOn => self.kernel.set_spindle(spindle),
-                KlartextCycleStep::Reverse => self.kernel.set_spindle(match spindle {
-                    SpindleState::Cw => SpindleState::Ccw,
-                    SpindleState::Ccw => SpindleState::Cw,
-                    other => other,
-                }),
-            }
-        }
-        self.kernel.origin.cycle = false;
-        self.modes.contour.direction = None;
-    }
-
-    /// Makes moves at a feed of the cycle, with that of the program restored after them.
-    fn with_cycle_feed(&mut self, feed: CycleFeed, moves: impl FnOnce(&mut Self)) {
-        let kept = (self.kernel.state.feed, self.kernel.state.feed_mode);
-        if let CycleFeed::Speed(speed) = feed {
-            self.kernel.state.feed = Some(speed);
-            self.kernel.state.feed_mode = FeedMode::PerTime;
-        }
-        moves(self);
-        (self.kernel.state.feed, self.kernel.state.feed_mode) = kept;
-    }
-
-    fn cycle_move(&mut self, place: [f64; 3], feed: CycleFeed) {
-        if feed == CycleFeed::Rapid {
-            return self.rapid_to(place, AxisMask::LINEAR);
-        }
-        self.with_cycle_feed(feed, |own| own.feed_to(place, AxisMask::LINEAR));
-    }
-
-    /// An arc in the plane.
-    fn cycle_arc(&mut self, center: [f64; 2], place: [f64; 3], sweep_rad: f64, feed: CycleFeed) {
-        let plane = self.tool_plane();
-        let mut end = self.programmed();
-        end[..3].copy_from_slice(&place);
-        let element = ContourElement::Arc { plane, center, sweep_rad, end: place };
-        self.with_cycle_feed(feed, |own| {
-            own.move_along(None, &element, end, AxisMask::LINEAR, false);
-        });
-    }
-
-    /// A helix about a hole, counter-clockwise.
-    fn cycle_helix(&mut self, hole: [f64; 2], sweep_rad: f64, to: f64, feed: CycleFeed) {
-        let plane = self.tool_plane();
-        let (a, b, normal) = plane.axes();
-        let mut end = self.programmed();
-        let sweep_rad = TurnDirection::Ccw.sign() * sweep_rad;
-        let turned = crate::geometry::turned_about([end[a], end[b]], hole, sweep_rad);
-        let is_whole = (sweep_rad / std::f64::consts::TAU).fract().abs() < 1e-9;
-        if !is_whole {
-            (end[a], end[b]) = (turned[0], turned[1]);
-        }
-        end[normal] = to;
-        let element =
-            ContourElement::Arc { plane, center: hole, sweep_rad, end: [end[0], end[1], end[2]] };
-        self.with_cycle_feed(feed, |own| {
-            own.move_along(None, &element, end, AxisMask::LINEAR, false);
-        });
     }
 }

@@ -102,6 +102,14 @@ impl KlartextInterpreter<'_> {
                 self.reset_datum();
                 KlartextFlow::Next
             }
+            KlartextStatement::DatumOfTable { line, table } => {
+                self.datum_of_table(*line, *table);
+                KlartextFlow::Next
+            }
+            KlartextStatement::SelectDatumTable(name) => {
+                self.select_datum_table(*name);
+                KlartextFlow::Next
+            }
             KlartextStatement::Plane(words) => {
                 self.plane(words);
                 KlartextFlow::Next
@@ -128,7 +136,7 @@ impl KlartextInterpreter<'_> {
             UnfollowedFunction::Probe => {
                 ("TCH PROBE", "probing cycles are not followed: what they measure is not known")
             }
-            UnfollowedFunction::Selection => ("SEL", "tables are not followed here"),
+            UnfollowedFunction::Selection => ("SEL", "this selection is not followed here"),
         };
         self.not_followed_once(subject, range, message);
         if what == UnfollowedFunction::Probe {

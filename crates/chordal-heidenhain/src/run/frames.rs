@@ -1,20 +1,13 @@
 //! Transformations of coordinates and other cycles that act where they are defined.
 
-use chordal_command::{CommandKind, SpindleState, WorkName};
+use chordal_command::{CommandKind, SpindleState};
 use chordal_diagnostics::{Code, TextRange};
 
 use super::interpreter::KlartextInterpreter;
 use super::run_state::ProgrammedFrame;
 use super::transformations::Transformation;
+use crate::datum_table::preset_name;
 use crate::syntax::{CycleWord, PathWords};
-
-/// The work offset of a line of the preset table: lines from 5 on have names of their own.
-fn preset_name(number: u16) -> WorkName {
-    match number {
-        0..=4 => WorkName::G(53 + number),
-        _ => WorkName::G(500u16.saturating_add(number)),
-    }
-}
 
 /// The axes of transformations.
 const LINEAR_AXES: [&str; 3] = ["X", "Y", "Z"];
@@ -61,14 +54,23 @@ impl KlartextInterpreter<'_> {
         let unit = self.unit_mm();
         for word in words {
             if word.label == "#" {
-                let what = "a line of a datum table is not known here";
-                self.not_followed_once("datum table", word.range, what);
+                let Some(number) = self.word_value(word) else { continue };
+                match self.table_datum(number, None, word.range) {
+                    Some(datum) => self.take_datum(&datum, &mut shift, word.range),
+                    None => return,
+                }
                 continue;
             }
             let (name, is_incremental) = match word.label.strip_prefix('I') {
                 Some(name) => (name, true),
                 None => (word.label.as_str(), false),
             };
+            if ["A", "B", "C"].contains(&name) {
+                if self.word_value(word).is_some_and(|degrees| degrees != 0.0) {
+                    self.rotary_shift(word.range);
+                }
+                continue;
+            }
             let Some(axis) = LINEAR_AXES.iter().position(|axis| *axis == name) else { continue };
             let Some(value) = self.word_value(word) else { continue };
             shift[axis] = if is_incremental { shift[axis] } else { 0.0 } + value * unit;

@@ -4,6 +4,7 @@ use chordal_diagnostics::{FileId, SourceMap, TextRange};
 use chordal_kernel::{ConfiguredControl, RunOptions};
 use chordal_machine::Machine;
 
+use crate::datum_table::DatumTable;
 use crate::settings::HeidenhainSettings;
 use crate::syntax::{
     KlartextLines, KlartextReader, KlartextStatement, LineReader, block_of_lines,
@@ -48,6 +49,8 @@ pub struct KlartextTexts<'a> {
     pub options: &'a RunOptions,
     /// The programs.
     pub texts: Vec<KlartextText>,
+    /// The datum tables by the names of their files without folder and extension, in upper case.
+    pub datum_tables: Vec<(String, DatumTable)>,
 }
 
 impl<'a> KlartextTexts<'a> {
@@ -69,7 +72,17 @@ impl<'a> KlartextTexts<'a> {
             *file == FileId(0) || !control.is_table(source.text())
         };
         let texts = sources.iter().filter(is_program).map(text).collect();
-        KlartextTexts { control, settings, sources, machine, options, texts }
+        let table = |(_, source): (FileId, &chordal_diagnostics::Source<'_>)| {
+            Some((file_stem(source.name()), DatumTable::read(source.text())?))
+        };
+        let datum_tables = sources.iter().skip(1).filter_map(table).collect();
+        KlartextTexts { control, settings, sources, machine, options, texts, datum_tables }
+    }
+
+    /// The datum table with a name, with or without folder and extension.
+    pub fn datum_table(&self, name: &str) -> Option<&(String, DatumTable)> {
+        let stem = file_stem(name);
+        self.datum_tables.iter().find(|(own, _)| *own == stem)
     }
 
     /// The text of a file.

@@ -214,6 +214,8 @@ pub struct KlartextModes {
     pub open_cycle: Option<StoredCycle>,
     /// The positions of PATTERN DEF.
     pub pattern: Vec<PatternGroup>,
+    /// The datum table of SEL TABLE; `None` without one.
+    pub datum_table: Option<String>,
     /// M97 stands in the block before: the next corner is passed without an arc.
     pub meets_corner: bool,
     /// RND or CHF comes next, and was requested at the end of the move before it.
@@ -249,6 +251,7 @@ impl Default for KlartextModes {
             cycle: None,
             open_cycle: None,
             pattern: Vec::new(),
+            datum_table: None,
             meets_corner: false,
             has_corner: false,
             has_jumped_back: false,

@@ -389,7 +389,7 @@ pub enum UnfollowedFunction {
     Function,
     /// TCH PROBE.
     Probe,
-    /// SEL TABLE, SEL PATTERN and their like.
+    /// SEL PATTERN, SEL CONTOUR and their like.
     Selection,
 }
 
@@ -522,6 +522,15 @@ pub enum KlartextStatement {
     Pattern(Vec<PatternGroup>),
     /// TRANS DATUM AXIS.
     DatumShift(Box<PathWords>),
+    /// TRANS DATUM TABLE.
+    DatumOfTable {
+        /// TABLINE.
+        line: WordOperand,
+        /// The name of the table.
+        table: Option<TextRange>,
+    },
+    /// SEL TABLE: the name of a datum table.
+    SelectDatumTable(TextRange),
     /// TRANS DATUM RESET.
     DatumReset,
     /// PLANE.

@@ -72,7 +72,7 @@ pub fn statement(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
             KlartextStatement::Plane(Box::new(plane_words(cursor)))
         }
         "FUNCTION" => function(cursor),
-        "SEL" => not_followed(cursor, UnfollowedFunction::Selection),
+        "SEL" => selection(cursor),
         // Of two solutions none is taken, so that there is nothing to select.
         "FSELECT" => {
             cursor.take_rest();
@@ -390,13 +390,36 @@ fn pattern(cursor: &mut TokenCursor<'_>) -> Vec<PatternGroup> {
     groups
 }
 
-/// TRANS DATUM AXIS and TRANS DATUM RESET.
+/// SEL TABLE and its like.
+fn selection(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
+    if cursor.word_after(1) == Some("TABLE") {
+        cursor.take();
+        cursor.take();
+        return KlartextStatement::SelectDatumTable(cursor.take_rest());
+    }
+    not_followed(cursor, UnfollowedFunction::Selection)
+}
+
+/// TRANS DATUM AXIS, TRANS DATUM TABLE and TRANS DATUM RESET.
 fn datum(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
     if cursor.take_word("AXIS") {
         return KlartextStatement::DatumShift(Box::new(path_words(cursor)));
     }
     if cursor.take_word("RESET") {
         return KlartextStatement::DatumReset;
+    }
+    if cursor.take_word("TABLE") {
+        // The words before the number are TABLINE, or on some controls TABLE LINE.
+        while cursor.peek_word().is_some_and(|word| matches!(word, "TABLINE" | "LINE")) {
+            cursor.take();
+        }
+        if let Some(line) = cursor.take_operand() {
+            let table = (!cursor.is_at_end()).then(|| cursor.take_rest());
+            return KlartextStatement::DatumOfTable { line, table };
+        }
+        let rest = cursor.take_rest();
+        cursor.fault(KlartextFaultKind::MissingValue, rest, "TRANS DATUM TABLE has no TABLINE");
+        return KlartextStatement::Unknown;
     }
     not_followed(cursor, UnfollowedFunction::Selection)
 }

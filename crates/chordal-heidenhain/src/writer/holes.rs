@@ -322,7 +322,11 @@ fn made_motions(steps: &[KlartextCycleStep], hole: &DrilledHole) -> Option<Vec<H
             KlartextCycleStep::Dwell(seconds) => HoleMotion::Dwell(seconds),
             KlartextCycleStep::Across { .. }
             | KlartextCycleStep::Arc { .. }
+            | KlartextCycleStep::Ramp { .. }
+            | KlartextCycleStep::ArcRamp { .. }
             | KlartextCycleStep::Helix { .. }
+            | KlartextCycleStep::Turn { .. }
+            | KlartextCycleStep::Coolant(_)
             | KlartextCycleStep::Orient
             | KlartextCycleStep::SpindleOn
             | KlartextCycleStep::Reverse => return None,
