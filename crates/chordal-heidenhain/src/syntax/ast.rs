@@ -287,6 +287,8 @@ pub enum FormulaOperator {
     Multiply,
     /// / and DIV.
     Divide,
+    /// %: the remainder of a division.
+    Remainder,
     /// ^
     Power,
     /// LEN of FN 8: the root of the sum of the squares.
