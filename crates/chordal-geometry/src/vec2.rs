@@ -21,6 +21,18 @@ impl Vec2 {
         Self { a, b }
     }
 
+    /// The vector with these coordinates, mm.
+    #[must_use]
+    pub const fn from_array([a, b]: [f64; 2]) -> Self {
+        Self { a, b }
+    }
+
+    /// The coordinates, mm.
+    #[must_use]
+    pub const fn to_array(self) -> [f64; 2] {
+        [self.a, self.b]
+    }
+
     /// Scalar product, mm².
     #[must_use]
     pub fn dot(self, o: Vec2) -> f64 {

@@ -163,7 +163,7 @@ impl ProgrammingLanguage for HeidenhainLanguage {
         let mut refused = Vec::new();
         for (name, entry) in &machine.settings {
             if let Err(message) = settings.take(name, &entry.value) {
-                let help = "it has MP7431, label_nesting, unset_parameter, positive_depth and peck_stop_mm";
+                let help = "it has MP7431, label_nesting, unset_parameter, positive_depth, peck_stop_mm and free_contour_order";
                 refused.push(SettingError { name: name.clone(), message, help: Some(help.into()) });
             }
         }

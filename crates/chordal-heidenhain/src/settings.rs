@@ -2,6 +2,8 @@
 
 use chordal_machine::SettingValue;
 
+use crate::geometry::FreeSolutionOrder;
+
 /// Settings of a machine, each with the name that a machine file uses.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct HeidenhainSettings {
@@ -15,6 +17,8 @@ pub struct HeidenhainSettings {
     pub positive_depth_is_error: bool,
     /// `peck_stop_mm`: how far above the last depth the rapid of cycle 200 ends. Old controls use the set-up clearance.
     pub peck_stop_mm: Option<f64>,
+    /// `free_contour_order`: in which order the solutions of free contours have their numbers.
+    pub free_contour_order: FreeSolutionOrder,
 }
 
 impl HeidenhainSettings {
@@ -25,6 +29,7 @@ impl HeidenhainSettings {
         unset_is_error: true,
         positive_depth_is_error: true,
         peck_stop_mm: Some(0.2),
+        free_contour_order: FreeSolutionOrder::Turning,
     };
 
     /// Takes a setting of a machine file.
@@ -64,6 +69,15 @@ impl HeidenhainSettings {
             ("peck_stop_mm", _, Some("clearance")) => self.peck_stop_mm = None,
             ("peck_stop_mm", ..) => {
                 return Err("peck_stop_mm is a length up to 10, or \"clearance\"".into());
+            }
+            ("free_contour_order", _, Some("turning")) => {
+                self.free_contour_order = FreeSolutionOrder::Turning;
+            }
+            ("free_contour_order", _, Some("along")) => {
+                self.free_contour_order = FreeSolutionOrder::Along;
+            }
+            ("free_contour_order", ..) => {
+                return Err("free_contour_order is \"turning\" or \"along\"".into());
             }
             _ => return Err(format!("this control has no setting {name} here")),
         }

@@ -12,7 +12,8 @@ fn programs(part: &str) -> Vec<PathBuf> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../tests/heidenhain").join(part);
     let entries = fs::read_dir(folder).expect("the programs");
     let files = entries.map(|entry| entry.expect("a file").path());
-    let mut files: Vec<PathBuf> = files.filter(|path| path.extension().is_some()).collect();
+    let mut files: Vec<PathBuf> =
+        files.filter(|path| path.extension().is_some_and(|own| own == "h" || own == "i")).collect();
     files.sort();
     files
 }

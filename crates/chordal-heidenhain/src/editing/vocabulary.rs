@@ -24,7 +24,10 @@ pub const VOCABULARY: &[(&str, &str)] = &[
     ("REP", "how often the part before is run again"),
     ("CYCL", "CYCL DEF defines a cycle, CYCL CALL runs it"),
     ("SEL", "SEL TABLE names the datum table for cycle 7 and TRANS DATUM TABLE"),
-    ("TRANS", "TRANS DATUM shifts the datum: AXIS by values, TABLE by a line of a table; RESET ends it"),
+    (
+        "TRANS",
+        "TRANS DATUM shifts the datum: AXIS by values, TABLE by a line of a table; RESET ends it",
+    ),
     ("TABLINE", "the line of the datum table"),
     ("BLK", "BLK FORM: the blank"),
     ("FN", "calculates, compares, jumps or asks the control"),
@@ -37,8 +40,24 @@ pub const VOCABULARY: &[(&str, &str)] = &[
     ("PR", "polar radius about CC"),
     ("PA", "polar angle about CC"),
     ("IPA", "polar angle from the last one"),
-    ("LEN", "length of a straight approach or departure"),
-    ("CCA", "angle of the arc of an approach or departure"),
+    (
+        "LEN",
+        "length of a straight approach or departure; in FK of a line, or of the chord of an arc",
+    ),
+    ("CCA", "angle of the arc of an approach or departure, or of an arc in FK"),
+    ("FPOL", "pole of free contours (FK)"),
+    ("FL", "straight line of a free contour (FK), by any of its values"),
+    ("FLT", "the same, in the direction of the element before"),
+    ("FC", "arc of a free contour (FK), by any of its values"),
+    ("FCT", "the same, in the direction of the element before"),
+    ("FSELECT", "takes one of the contours that fit the values so far, by its number"),
+    ("AN", "angle of a line of a free contour, or with which an arc begins"),
+    ("CLSD", "+ begins a closed contour, - closes it"),
+    ("PDX", "X of a point at the distance D from the element"),
+    ("PDY", "Y of a point at the distance D from the element"),
+    ("DP", "distance of the line from the one to which it is parallel (PAR)"),
+    ("PAR", "the number of the block whose line is parallel"),
+    ("RAN", "the number of the block from whose direction IAN counts"),
 ];
 
 /// What a word does; `None` if it is not listed.

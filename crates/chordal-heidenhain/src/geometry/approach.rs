@@ -1,8 +1,8 @@
 //! The paths of APPR and DEP, of the centre of the tool.
 
-use chordal_geometry::TurnDirection;
+use chordal_geometry::{TurnDirection, Vec2};
 
-use super::vectors::{distance, left_normal, point_ahead, turned_about};
+use super::vectors::turned;
 use crate::syntax::KlartextApproachForm;
 
 /// What an approach or a departure is made of; the plane of compensation, mm.
@@ -11,9 +11,9 @@ pub struct ApproachRequest {
     /// Its form.
     pub form: KlartextApproachForm,
     /// The point of the contour at which it ends or begins.
-    pub point: [f64; 2],
+    pub point: Vec2,
     /// The direction of the contour there.
-    pub direction: [f64; 2],
+    pub direction: Vec2,
     /// The tool is to the left of the contour.
     pub is_left: bool,
     /// The radius of the tool.
@@ -25,14 +25,14 @@ pub struct ApproachRequest {
     /// CCA, rad.
     pub center_angle_rad: f64,
     /// Where the tool is before the approach, or goes to after the departure (LCT).
-    pub outside: [f64; 2],
+    pub outside: Vec2,
 }
 
 /// The arc of an approach or departure.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ApproachArc {
     /// Its centre.
-    pub center: [f64; 2],
+    pub center: Vec2,
     /// Its direction.
     pub direction: TurnDirection,
 }
@@ -41,9 +41,9 @@ pub struct ApproachArc {
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub struct ApproachPath {
     /// PH, or where the arc or line of a departure ends.
-    pub helper: [f64; 2],
+    pub helper: Vec2,
     /// The point of the contour, offset by the radius of the tool.
-    pub contact: [f64; 2],
+    pub contact: Vec2,
     /// The arc between them; `None` for a straight line.
     pub arc: Option<ApproachArc>,
 }
@@ -59,13 +59,13 @@ pub enum ApproachFault {
 
 impl ApproachRequest {
     /// From the contour to the centre of the tool.
-    fn normal(&self) -> [f64; 2] {
-        let left = left_normal(self.direction);
-        if self.is_left { left } else { left.map(|value| -value) }
+    fn normal(&self) -> Vec2 {
+        let left = self.direction.turned_left();
+        if self.is_left { left } else { -left }
     }
 
-    fn contact(&self) -> [f64; 2] {
-        point_ahead(self.point, self.normal(), self.tool_radius_mm)
+    fn contact(&self) -> Vec2 {
+        self.point + self.normal() * self.tool_radius_mm
     }
 
     /// The arc that is tangent to the contour at the offset point.
@@ -76,7 +76,7 @@ impl ApproachRequest {
         if is_wrong {
             return Err(ApproachFault::NoRadius);
         }
-        let center = point_ahead(self.contact(), self.normal(), radius);
+        let center = self.contact() + self.normal() * radius;
         let is_ccw = self.is_left == (radius > 0.0);
         let direction = if is_ccw { TurnDirection::Ccw } else { TurnDirection::Cw };
         Ok(ApproachArc { center, direction })
@@ -88,53 +88,39 @@ impl ApproachRequest {
 /// # Errors
 /// Why there is none.
 pub fn approach_path(request: &ApproachRequest) -> Result<ApproachPath, ApproachFault> {
-    let contact = request.contact();
-    let straight = |helper| Ok(ApproachPath { helper, contact, arc: None });
-    match request.form {
-        KlartextApproachForm::Tangent => {
-            straight(point_ahead(contact, request.direction, -request.length_mm))
-        }
-        KlartextApproachForm::Normal => {
-            straight(point_ahead(contact, request.normal(), request.length_mm))
-        }
-        KlartextApproachForm::Arc => {
-            let arc = request.arc()?;
-            let angle = -arc.direction.sign() * request.center_angle_rad;
-            let helper = turned_about(contact, arc.center, angle);
-            Ok(ApproachPath { helper, contact, arc: Some(arc) })
-        }
-        KlartextApproachForm::LineAndArc => {
-            let arc = request.arc()?;
-            let helper =
-                tangent_point(request.outside, &arc, request.arc_radius_mm, Leg::Arriving)?;
-            Ok(ApproachPath { helper, contact, arc: Some(arc) })
-        }
-    }
+    path_of(request, ApproachLeg::Arriving)
 }
 
-/// The path of a departure (DEP).
+/// The path of a departure (DEP): that of an approach, the other way round.
 ///
 /// # Errors
 /// Why there is none.
 pub fn departure_path(request: &ApproachRequest) -> Result<ApproachPath, ApproachFault> {
+    path_of(request, ApproachLeg::Leaving)
+}
+
+fn path_of(request: &ApproachRequest, leg: ApproachLeg) -> Result<ApproachPath, ApproachFault> {
     let contact = request.contact();
+    // Along the contour away from it: back before it, on after it.
+    let sign = match leg {
+        ApproachLeg::Arriving => -1.0,
+        ApproachLeg::Leaving => 1.0,
+    };
     let straight = |helper| Ok(ApproachPath { helper, contact, arc: None });
     match request.form {
         KlartextApproachForm::Tangent => {
-            straight(point_ahead(contact, request.direction, request.length_mm))
+            straight(contact + request.direction * (sign * request.length_mm))
         }
-        KlartextApproachForm::Normal => {
-            straight(point_ahead(contact, request.normal(), request.length_mm))
-        }
+        KlartextApproachForm::Normal => straight(contact + request.normal() * request.length_mm),
         KlartextApproachForm::Arc => {
             let arc = request.arc()?;
-            let angle = arc.direction.sign() * request.center_angle_rad;
-            let helper = turned_about(contact, arc.center, angle);
+            let angle = sign * arc.direction.sign() * request.center_angle_rad;
+            let helper = turned(contact, arc.center, angle);
             Ok(ApproachPath { helper, contact, arc: Some(arc) })
         }
         KlartextApproachForm::LineAndArc => {
             let arc = request.arc()?;
-            let helper = tangent_point(request.outside, &arc, request.arc_radius_mm, Leg::Leaving)?;
+            let helper = tangent_point(request.outside, &arc, request.arc_radius_mm, leg)?;
             Ok(ApproachPath { helper, contact, arc: Some(arc) })
         }
     }
@@ -142,7 +128,7 @@ pub fn departure_path(request: &ApproachRequest) -> Result<ApproachPath, Approac
 
 /// Whether the straight leg comes before the arc or after it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum Leg {
+enum ApproachLeg {
     Arriving,
     Leaving,
 }
@@ -152,30 +138,30 @@ enum Leg {
 /// With w the direction of the line, the vector from the centre to the point of contact is w turned by a quarter against
 /// the direction of the arc; so the vector between the two known points is w times a complex number, which is divided by.
 fn tangent_point(
-    outside: [f64; 2],
+    outside: Vec2,
     arc: &ApproachArc,
     radius: f64,
-    leg: Leg,
-) -> Result<[f64; 2], ApproachFault> {
-    let distance_mm = distance(outside, arc.center);
+    leg: ApproachLeg,
+) -> Result<Vec2, ApproachFault> {
+    let distance_mm = outside.distance(arc.center);
     if distance_mm < radius {
         return Err(ApproachFault::InsideArc(distance_mm, radius));
     }
     let length = (distance_mm * distance_mm - radius * radius).sqrt();
     let across = arc.direction.sign() * radius;
     let (from, to, across) = match leg {
-        Leg::Arriving => (outside, arc.center, across),
-        Leg::Leaving => (arc.center, outside, -across),
+        ApproachLeg::Arriving => (outside, arc.center, across),
+        ApproachLeg::Leaving => (arc.center, outside, -across),
     };
-    let [x, y] = [to[0] - from[0], to[1] - from[1]];
     let squared = distance_mm * distance_mm;
     if squared == 0.0 {
         return Err(ApproachFault::NoRadius);
     }
-    let line = [(x * length + y * across) / squared, (y * length - x * across) / squared];
+    let between = to - from;
+    let line = (between * length - between.turned_left() * across) * (1.0 / squared);
     Ok(match leg {
-        Leg::Arriving => point_ahead(outside, line, length),
-        Leg::Leaving => point_ahead(outside, line, -length),
+        ApproachLeg::Arriving => outside + line * length,
+        ApproachLeg::Leaving => outside - line * length,
     })
 }
 
@@ -183,20 +169,20 @@ fn tangent_point(
 mod tests {
     use super::*;
 
-    fn near(found: [f64; 2], expected: [f64; 2]) {
-        assert!(distance(found, expected) < 1e-3, "{found:?} is not {expected:?}");
+    fn near(found: Vec2, expected: [f64; 2]) {
+        assert!(found.distance(Vec2::from_array(expected)) < 1e-3, "{found:?} is not {expected:?}");
     }
 
     const REQUEST: ApproachRequest = ApproachRequest {
         form: KlartextApproachForm::Tangent,
-        point: [5.0, 5.0],
-        direction: [0.0, 1.0],
+        point: Vec2::new(5.0, 5.0),
+        direction: Vec2::new(0.0, 1.0),
         is_left: true,
         tool_radius_mm: 10.0,
         length_mm: 10.0,
         arc_radius_mm: 5.0,
         center_angle_rad: 0.0,
-        outside: [-10.0, -10.0],
+        outside: Vec2::new(-10.0, -10.0),
     };
 
     #[test]
@@ -206,7 +192,7 @@ mod tests {
         near(path.helper, [-5.0, -5.0]);
         let normal = ApproachRequest { form: KlartextApproachForm::Normal, ..REQUEST };
         near(approach_path(&normal).expect("a path").helper, [-15.0, 5.0]);
-        let end = ApproachRequest { direction: [-1.0, 0.0], ..REQUEST };
+        let end = ApproachRequest { direction: Vec2::new(-1.0, 0.0), ..REQUEST };
         let path = departure_path(&end).expect("a path");
         near(path.contact, [5.0, -5.0]);
         near(path.helper, [-5.0, -5.0]);
@@ -216,8 +202,8 @@ mod tests {
     fn arcs_bulge_to_the_side_of_the_tool_or_to_the_other() {
         let request = ApproachRequest {
             form: KlartextApproachForm::Arc,
-            point: [10.0, 20.0],
-            direction: [1.0, 0.0],
+            point: Vec2::new(10.0, 20.0),
+            direction: Vec2::new(1.0, 0.0),
             tool_radius_mm: 5.0,
             arc_radius_mm: 8.0,
             center_angle_rad: 90_f64.to_radians(),
@@ -239,16 +225,20 @@ mod tests {
         let path = approach_path(&request).expect("a path");
         near(path.arc.expect("an arc").center, [-10.0, 5.0]);
         near(path.helper, [-5.286, 3.3333]);
-        assert!((distance(request.outside, path.helper) - 14.1421).abs() < 1e-4);
-        let end = ApproachRequest { direction: [-1.0, 0.0], outside: [-20.0, -20.0], ..request };
+        assert!((request.outside.distance(path.helper) - 14.1421).abs() < 1e-4);
+        let end = ApproachRequest {
+            direction: Vec2::new(-1.0, 0.0),
+            outside: Vec2::new(-20.0, -20.0),
+            ..request
+        };
         let path = departure_path(&end).expect("a path");
         near(path.arc.expect("an arc").center, [5.0, -10.0]);
         near(path.helper, [2.3133, -5.7832]);
-        assert!((distance(end.outside, path.helper) - 26.4575).abs() < 1e-4);
+        assert!((end.outside.distance(path.helper) - 26.4575).abs() < 1e-4);
         // On the right of the contour everything is mirrored.
-        let right = ApproachRequest { is_left: false, outside: [20.0, -10.0], ..request };
+        let right = ApproachRequest { is_left: false, outside: Vec2::new(20.0, -10.0), ..request };
         near(approach_path(&right).expect("a path").helper, [15.286, 3.3333]);
-        let inside = ApproachRequest { outside: [-11.0, 6.0], ..request };
+        let inside = ApproachRequest { outside: Vec2::new(-11.0, 6.0), ..request };
         assert!(matches!(approach_path(&inside), Err(ApproachFault::InsideArc(..))));
     }
 }

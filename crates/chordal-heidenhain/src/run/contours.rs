@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use chordal_diagnostics::Code;
-use chordal_geometry::{Plane, RadiusError, TurnDirection};
+use chordal_geometry::{Plane, RadiusError, TurnDirection, Vec2};
 use chordal_kernel::frames::sin_cos_degrees;
 
 use super::block_values::BlockValues;
@@ -11,8 +11,7 @@ use super::interpreter::KlartextInterpreter;
 use super::run_state::ContourMemory;
 use crate::alarms::{ANGLE_REFERENCE, CENTER_UNDEFINED, CIRCLE_END};
 use crate::geometry::{
-    COINCIDENT_POINTS_MM, ContourElement, arc_about, arc_by_radius, arc_fault_mm, distance,
-    tangent_center,
+    COINCIDENT_POINTS_MM, ContourElement, arc_about, arc_by_radius, arc_fault_mm, tangent_center,
 };
 use crate::syntax::PathFunction;
 
@@ -90,9 +89,9 @@ impl KlartextInterpreter<'_> {
         let plane = contour.center_plane.unwrap_or(self.tool_plane());
         let center = center_of(contour, plane)?;
         let (a, b, _) = plane.axes();
-        let from = [start[a], start[b]];
-        let radius_now = distance(center, from);
-        let angle_now = libm::atan2(from[1] - center[1], from[0] - center[0]).to_degrees();
+        let from = Vec2::new(start[a], start[b]);
+        let radius_now = center.distance(from);
+        let angle_now = libm::atan2(from.b - center.b, from.a - center.a).to_degrees();
         let [last_radius, last_angle] = contour.polar;
         let radius = match values.polar_radius {
             Some(word) => word.from(last_radius.unwrap_or(radius_now)),
@@ -103,7 +102,7 @@ impl KlartextInterpreter<'_> {
             None => last_angle.unwrap_or(angle_now),
         };
         let (sin, cos) = sin_cos_degrees(angle);
-        (end[a], end[b]) = (center[0] + radius * cos, center[1] + radius * sin);
+        (end[a], end[b]) = (center.a + radius * cos, center.b + radius * sin);
         contour.polar = [Some(radius), Some(angle)];
         Ok(())
     }
@@ -113,14 +112,14 @@ impl KlartextInterpreter<'_> {
         &self,
         values: &BlockValues,
         plane: Plane,
-        center: [f64; 2],
+        center: Vec2,
         start: [f64; 3],
         end: [f64; 3],
     ) -> Result<ContourElement, ContourFault> {
         let (a, b, _) = plane.axes();
-        let (from, to) = ([start[a], start[b]], [end[a], end[b]]);
+        let (from, to) = (Vec2::new(start[a], start[b]), Vec2::new(end[a], end[b]));
         let direction = direction_of(values)?;
-        let radius = distance(center, from);
+        let radius = center.distance(from);
         let off = arc_fault_mm(from, to, center);
         let allowed = self.programs.settings.arc_tolerance_mm;
         if radius <= COINCIDENT_POINTS_MM || off.abs() > allowed {
@@ -135,7 +134,7 @@ impl KlartextInterpreter<'_> {
             );
         }
         let (center, sweep_rad) = arc_about(from, to, center, direction);
-        Ok(ContourElement::Arc { plane, center, sweep_rad, end })
+        Ok(arc(plane, center, sweep_rad, end))
     }
 
     /// CP: an arc about CC by its angle.
@@ -149,8 +148,8 @@ impl KlartextInterpreter<'_> {
         let plane = contour.center_plane.unwrap_or(self.tool_plane());
         let center = center_of(contour, plane)?;
         let (a, b, _) = plane.axes();
-        let from = [start[a], start[b]];
-        let radius = distance(center, from);
+        let from = Vec2::new(start[a], start[b]);
+        let radius = center.distance(from);
         if radius <= COINCIDENT_POINTS_MM {
             let message = "the arc begins at its own centre";
             return Err(ContourFault::new(
@@ -160,7 +159,7 @@ impl KlartextInterpreter<'_> {
             )
             .with_alarm(CIRCLE_END));
         }
-        let angle_now = libm::atan2(from[1] - center[1], from[0] - center[0]).to_degrees();
+        let angle_now = libm::atan2(from.b - center.b, from.a - center.a).to_degrees();
         let Some(word) = values.polar_angle else {
             let message = "CP has no angle PA or IPA";
             return Err(ContourFault::new(Code::MissingWord, message, "write PA or IPA"));
@@ -188,14 +187,14 @@ impl KlartextInterpreter<'_> {
         let whole = (sweep_deg / 360.0).fract() == 0.0;
         let (sin, cos) = sin_cos_degrees(angle);
         (end[a], end[b]) = match whole {
-            true => (from[0], from[1]),
-            false => (center[0] + radius * cos, center[1] + radius * sin),
+            true => (from.a, from.b),
+            false => (center.a + radius * cos, center.b + radius * sin),
         };
         contour.polar = [Some(radius), Some(angle)];
         if sweep_deg == 0.0 {
             return Ok(ContourElement::Line { end });
         }
-        Ok(ContourElement::Arc { plane, center, sweep_rad: sweep_deg / 360.0 * TAU, end })
+        Ok(arc(plane, center, sweep_deg / 360.0 * TAU, end))
     }
 
     /// CR: an arc by its radius.
@@ -212,13 +211,13 @@ impl KlartextInterpreter<'_> {
             return Err(ContourFault::new(Code::MissingWord, message, "write R+ or R-"));
         };
         let direction = direction_of(values)?;
-        let (from, to) = ([start[a], start[b]], [end[a], end[b]]);
+        let (from, to) = (Vec2::new(start[a], start[b]), Vec2::new(end[a], end[b]));
         let of_radius = |code, message: String, help| ContourFault {
             is_of_radius: true,
             ..ContourFault::new(code, message, help).with_alarm(CIRCLE_END)
         };
         match arc_by_radius(from, to, radius, direction) {
-            Ok((center, sweep_rad)) => Ok(ContourElement::Arc { plane, center, sweep_rad, end }),
+            Ok((center, sweep_rad)) => Ok(arc(plane, center, sweep_rad, end)),
             Err(RadiusError::FullCircle) => {
                 let message = "start and end of CR are one point: a radius gives no circle";
                 let help = "write a full circle with CC and C";
@@ -239,11 +238,15 @@ impl KlartextInterpreter<'_> {
     }
 }
 
+fn arc(plane: Plane, center: Vec2, sweep_rad: f64, end: [f64; 3]) -> ContourElement {
+    ContourElement::Arc { plane, center: center.to_array(), sweep_rad, end }
+}
+
 /// CC on the axes of a plane.
-fn center_of(contour: &ContourMemory, plane: Plane) -> Result<[f64; 2], ContourFault> {
+fn center_of(contour: &ContourMemory, plane: Plane) -> Result<Vec2, ContourFault> {
     let (a, b, _) = plane.axes();
     match (contour.center[a], contour.center[b]) {
-        (Some(first), Some(second)) => Ok([first, second]),
+        (Some(first), Some(second)) => Ok(Vec2::new(first, second)),
         _ => {
             let message = "no circle centre CC was programmed before this block";
             let help = "write CC with both coordinates before it";
@@ -271,8 +274,8 @@ fn tangent_arc(
         let help = "write L, C, CR or CT with a move in the plane before it";
         return Err(ContourFault::new(Code::NoCenter, message, help).with_alarm(ANGLE_REFERENCE));
     };
-    Ok(match tangent_center([start[a], start[b]], direction, [end[a], end[b]]) {
-        Some((center, sweep_rad)) => ContourElement::Arc { plane, center, sweep_rad, end },
+    Ok(match tangent_center(Vec2::new(start[a], start[b]), direction, Vec2::new(end[a], end[b])) {
+        Some((center, sweep_rad)) => arc(plane, center, sweep_rad, end),
         None => ContourElement::Line { end },
     })
 }

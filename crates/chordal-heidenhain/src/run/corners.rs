@@ -69,21 +69,23 @@ impl KlartextInterpreter<'_> {
                 KlartextStatement::Rounding(_)
                     | KlartextStatement::Chamfer(..)
                     | KlartextStatement::Center(_)
+                    | KlartextStatement::FreePole(_)
+                    | KlartextStatement::FreeSelection(_)
                     | KlartextStatement::Nothing
             )
         };
-        let next = reader.find(is_other).map(|block| block.statement);
-        matches!(
-            next,
-            Some(KlartextStatement::Path(
+        match reader.find(is_other).map(|block| block.statement) {
+            Some(KlartextStatement::FreeElement(words)) => words.is_arc,
+            Some(KlartextStatement::Path(function, _)) => matches!(
+                function,
                 PathFunction::CenterArc
                     | PathFunction::PolarArc
                     | PathFunction::RadiusArc
                     | PathFunction::TangentArc
-                    | PathFunction::PolarTangentArc,
-                _
-            ))
-        )
+                    | PathFunction::PolarTangentArc
+            ),
+            _ => false,
+        }
     }
 
     /// A block RND or CHF itself: its size, and whether a move came before it.

@@ -15,6 +15,8 @@ impl KlartextInterpreter<'_> {
         match &block.statement {
             KlartextStatement::Nothing
             | KlartextStatement::Unknown
+            // What it selects was taken when the contour was solved.
+            | KlartextStatement::FreeSelection(_)
             | KlartextStatement::Begin { .. } => KlartextFlow::Next,
             KlartextStatement::End { .. } => self.program_ends(),
             KlartextStatement::Blank { corner, words } => {

@@ -160,8 +160,7 @@ impl<'a> KlartextInterpreter<'a> {
         let Some(block) = self.running().reader.next() else {
             return self.program_ends();
         };
-        let is_skipped = block.is_skippable
-            && self.programs.machine.switches.block_delete.first().copied().unwrap_or(false);
+        let is_skipped = self.is_skipped(&block);
         let is_empty = block.statement == KlartextStatement::Nothing && block.faults.is_empty();
         if is_skipped || is_empty {
             let counts = self.repeats_counted() && !self.kernel.count_repeated();
@@ -184,6 +183,12 @@ impl<'a> KlartextInterpreter<'a> {
         flow
     }
 
+    /// Whether the switch for that leaves a block out.
+    pub(super) fn is_skipped(&self, block: &KlartextBlock) -> bool {
+        let switches = &self.programs.machine.switches.block_delete;
+        block.is_skippable && switches.first().copied().unwrap_or(false)
+    }
+
     /// Blocks count against the budget where calls, repeats or jumps may run without end.
     fn repeats_counted(&mut self) -> bool {
         self.stack.len() > 1
@@ -199,6 +204,7 @@ impl<'a> KlartextInterpreter<'a> {
         self.kernel.call = call;
         self.kernel.origin =
             Origin { span: block.range.in_file(file), line: block.line, call, cycle: false };
+        self.modes.block_number = block.number;
         if let Some(number) = block.number {
             self.kernel.block_number = Some(f64::from(number));
             self.check_number(number, block.range);

@@ -6,6 +6,7 @@
 //! following blocks use; `iso` is for the blocks of
 //! DIN/ISO programs, `frames`, `transformations` and `tilting` are the coordinates, `cycles` the cycles.
 
+mod approaches;
 mod assignments;
 mod blank;
 mod blank_record;
@@ -20,6 +21,7 @@ mod dispatch;
 mod flow;
 mod frames;
 mod free_contours;
+mod free_values;
 mod functions;
 mod interpreter;
 mod iso;

@@ -206,6 +206,7 @@ impl KlartextInterpreter<'_> {
         }
         self.move_along(Some(words), element, end, named, is_rapid);
         self.kernel.corner_move_done();
+        self.remember_element(linear, element);
         self.modes.contour.direction = direction;
     }
 

@@ -4,17 +4,20 @@ use std::collections::{BTreeMap, VecDeque};
 
 use chordal_command::{CallPath, Position};
 use chordal_diagnostics::TextRange;
-use chordal_geometry::{Plane, TurnDirection};
+use chordal_geometry::{Plane, TurnDirection, Vec2};
 use chordal_kernel::EndReason;
 use chordal_kernel::frames::{FrameMap, InPlane};
 
 use super::blank_record::BlankRecord;
 use super::iso_modes::IsoModes;
 use super::transformations::CoordinateChain;
-use crate::geometry::SolvedFreeElement;
+use crate::geometry::{KnownElement, SolvedFreeElement};
 use crate::syntax::{
     CycleValue, KlartextLabel, KlartextReader, ParameterName, PathFunction, PatternGroup,
 };
+
+/// How many elements back the words of free contours may refer to (TNC 320 34055x-06 p. 212).
+pub const MAX_RECENT_ELEMENTS: usize = 64;
 
 /// What comes after a block.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -132,7 +135,7 @@ pub struct ContourMemory {
     /// The last path function, which bare axis words repeat.
     pub function: PathFunction,
     /// The direction in the plane of the tool with which the last element ended.
-    pub direction: Option<[f64; 2]>,
+    pub direction: Option<Vec2>,
 }
 
 impl Default for ContourMemory {
@@ -235,6 +238,10 @@ pub struct KlartextModes {
     /// The elements of a free contour that are still to be made: the first byte of the block of each, and the element;
     /// `None` where it was not solved.
     pub free_elements: VecDeque<(u32, Option<SolvedFreeElement>)>,
+    /// The number of the block that is carried out; `None` without one.
+    pub block_number: Option<u32>,
+    /// The last elements with the numbers of their blocks, for free contours that refer to them.
+    pub recent_elements: VecDeque<(u32, KnownElement)>,
 }
 
 impl Default for KlartextModes {
@@ -261,6 +268,8 @@ impl Default for KlartextModes {
             iso: IsoModes::default(),
             free_pole: None,
             free_elements: VecDeque::new(),
+            block_number: None,
+            recent_elements: VecDeque::new(),
         }
     }
 }

@@ -4,6 +4,7 @@ use chordal_command::CompensationSide;
 use chordal_diagnostics::TextRange;
 use chordal_geometry::TurnDirection;
 
+use super::free_words::{FreePointWords, FreeRelationWord};
 use super::operands::{OperandWord, ParameterName, WordOperand};
 use super::planes::PlaneWords;
 
@@ -287,6 +288,8 @@ pub enum FormulaOperator {
     Multiply,
     /// / and DIV.
     Divide,
+    /// %: the remainder of a division.
+    Remainder,
     /// ^
     Power,
     /// LEN of FN 8: the root of the sum of the squares.
@@ -368,7 +371,7 @@ pub struct FreeElementWords {
     pub is_arc: bool,
     /// It goes on in the direction of the element before.
     pub is_tangent: bool,
-    /// AN: the angle of a line, degrees.
+    /// AN: the angle of a line, or with which an arc begins, degrees.
     pub angle: Option<OperandWord>,
     /// CCX, CCY and CCZ: the centre of an arc.
     pub center: [Option<OperandWord>; 3],
@@ -376,8 +379,16 @@ pub struct FreeElementWords {
     pub center_polar: [Option<OperandWord>; 2],
     /// CLSD+ begins a closed contour (false), CLSD- closes it (true).
     pub closing: Option<bool>,
-    /// It refers to points or other elements (P1X, PDX, RX, PAR …).
-    pub has_relation: bool,
+    /// P1X to P3Y: points on the element.
+    pub auxiliary: [FreePointWords; 3],
+    /// PDX and PDY: a point next to the element.
+    pub distance_point: FreePointWords,
+    /// D: its distance from the element.
+    pub distance: Option<OperandWord>,
+    /// DP: the distance of parallel lines.
+    pub parallel_distance: Option<OperandWord>,
+    /// The words that refer to other blocks, in their order.
+    pub relations: Vec<FreeRelationWord>,
     /// The other words.
     pub words: PathWords,
 }
@@ -425,6 +436,8 @@ pub enum KlartextStatement {
     FreePole(Box<PathWords>),
     /// FL, FLT, FC, FCT.
     FreeElement(Box<FreeElementWords>),
+    /// FSELECT: the number of the solution of the free contour up to here.
+    FreeSelection(OperandWord),
     /// CC.
     Center(Box<PathWords>),
     /// RND.

@@ -71,6 +71,7 @@ impl FormulaReader<'_, '_> {
             KlartextTokenKind::Sign(b'-') => FormulaOperator::Subtract,
             KlartextTokenKind::Sign(b'*') => FormulaOperator::Multiply,
             KlartextTokenKind::Sign(b'/') => FormulaOperator::Divide,
+            KlartextTokenKind::Sign(b'%') => FormulaOperator::Remainder,
             KlartextTokenKind::Sign(b'^') => FormulaOperator::Power,
             KlartextTokenKind::Word(word) => match word.as_str() {
                 "DIV" => FormulaOperator::Divide,
@@ -100,6 +101,7 @@ impl FormulaReader<'_, '_> {
         let among = [
             FormulaOperator::Multiply,
             FormulaOperator::Divide,
+            FormulaOperator::Remainder,
             FormulaOperator::Length,
             FormulaOperator::Angle,
         ];
@@ -160,6 +162,11 @@ impl FormulaReader<'_, '_> {
             KlartextTokenKind::Number(value) => {
                 self.cursor.take();
                 self.push(FormulaStep::Number(*value), token.range);
+                Some(())
+            }
+            KlartextTokenKind::Word(word) if word == "PI" => {
+                self.cursor.take();
+                self.push(FormulaStep::Number(std::f64::consts::PI), token.range);
                 Some(())
             }
             KlartextTokenKind::Word(word) if word == "PI" => {

@@ -8,6 +8,7 @@ mod cursor;
 mod cycles;
 mod formulas;
 mod free_contours;
+mod free_words;
 mod functions;
 mod iso;
 mod labels;
@@ -23,6 +24,7 @@ mod word_search;
 mod words;
 
 pub use ast::*;
+pub use free_words::{FreePointWords, FreeRelation, FreeRelationWord};
 pub use operands::{OperandWord, ParameterBank, ParameterName, WordOperand};
 pub use parser::{KlartextReader, block_of_lines};
 pub use planes::{PlaneForm, PlanePositioning, PlaneWords};

@@ -73,11 +73,6 @@ pub fn statement(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         }
         "FUNCTION" => function(cursor),
         "SEL" => selection(cursor),
-        // Of two solutions none is taken, so that there is nothing to select.
-        "FSELECT" => {
-            cursor.take_rest();
-            KlartextStatement::Nothing
-        }
         "FN" => {
             cursor.take();
             numbered_function(cursor)

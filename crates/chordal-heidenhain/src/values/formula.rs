@@ -115,10 +115,15 @@ fn operator_value(
         FormulaOperator::Add => first + second,
         FormulaOperator::Subtract => first - second,
         FormulaOperator::Multiply => first * second,
-        FormulaOperator::Divide if second == 0.0 => {
+        FormulaOperator::Divide | FormulaOperator::Remainder if second == 0.0 => {
             return Err(FormulaError::DivisionByZero(range));
         }
         FormulaOperator::Divide => first / second,
+        // The sign is that of the number that is divided; the manuals show positive numbers alone.
+        FormulaOperator::Remainder => libm::fmod(first, second),
+        FormulaOperator::Power if first == 0.0 && second < 0.0 => {
+            return Err(FormulaError::DivisionByZero(range));
+        }
         FormulaOperator::Power => {
             let value = libm::pow(first, second);
             if value.is_nan() {
@@ -129,7 +134,11 @@ fn operator_value(
         }
         FormulaOperator::Length => libm::hypot(first, second),
         // The first value lies opposite of the angle.
-        FormulaOperator::Angle => libm::atan2(first, second).to_degrees().rem_euclid(360.0),
+        FormulaOperator::Angle => {
+            let degrees = libm::atan2(first, second).to_degrees().rem_euclid(360.0);
+            // An angle just below zero rounds to a full turn.
+            if degrees < 360.0 { degrees } else { 0.0 }
+        }
     })
 }
 
