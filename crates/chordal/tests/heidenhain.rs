@@ -203,7 +203,9 @@ fn run(path: &Path) -> KlartextRunRecord {
     let mut last_lines: BTreeMap<u32, u32> = BTreeMap::new();
     for block in LineReader::new(source.text()) {
         let last = source.line_of(block.range.end.saturating_sub(1).max(block.range.start));
-        last_lines.insert(block.line, lines.get(last as usize).copied().unwrap_or(0));
+        let last_line = lines.get(last as usize).copied().unwrap_or(0);
+        (block.line..=last.max(block.line))
+            .for_each(|line| drop(last_lines.insert(line, last_line)));
     }
     let file_line = |line: u32| last_lines.get(&line).copied().unwrap_or(0);
     let mut record = KlartextPathRecord::default();

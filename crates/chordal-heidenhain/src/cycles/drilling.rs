@@ -373,8 +373,9 @@ fn mill_bore(
         return Err(KlartextCycleFault::BadValue(message));
     }
     steps.push(KlartextCycleStep::Across { offset: [radius, 0.0], feed });
-    steps.push(KlartextCycleStep::Helix { sweep_rad: turns * TAU, to: levels.bottom, feed });
-    steps.push(KlartextCycleStep::Helix { sweep_rad: TAU, to: levels.bottom, feed });
+    let turn = if context.turns_clockwise_inside(values) { -TAU } else { TAU };
+    steps.push(KlartextCycleStep::Helix { sweep_rad: turns * turn, to: levels.bottom, feed });
+    steps.push(KlartextCycleStep::Helix { sweep_rad: turn, to: levels.bottom, feed });
     steps.push(KlartextCycleStep::Across { offset: [0.0; 2], feed });
     Ok(())
 }
@@ -391,6 +392,7 @@ mod tests {
         tool_radius: Some(3.0),
         point_angle: None,
         rpm: 500.0,
+        turns_left: false,
         peck_stop: Some(0.2),
         refuses_positive_depth: true,
     };

@@ -2,6 +2,7 @@
 
 mod drilling;
 mod faces;
+mod input_ranges;
 mod levels;
 mod old_cycles;
 mod outline;
@@ -16,6 +17,7 @@ mod threads;
 mod values;
 
 pub use drilling::parameter_cycle_steps;
+pub use input_ranges::refused_range;
 pub use old_cycles::{OldCycle, OldCycleData, old_cycle_lines, old_cycle_steps};
 pub use patterns::{PatternPoints, pattern_points};
 pub use pockets::old_pocket_steps;

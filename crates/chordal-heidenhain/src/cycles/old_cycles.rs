@@ -12,6 +12,8 @@ pub struct OldCycleData {
     pub lines: BTreeMap<u32, Vec<f64>>,
     /// The first side (line 4) lies along the second axis of the plane.
     pub second_axis_first: bool,
+    /// DR-: the rings of a pocket are cut clockwise.
+    pub is_clockwise: bool,
 }
 
 /// An old cycle.
@@ -162,6 +164,7 @@ mod tests {
         tool_radius: None,
         point_angle: None,
         rpm: 1000.0,
+        turns_left: false,
         peck_stop: Some(0.2),
         refuses_positive_depth: true,
     };

@@ -141,6 +141,20 @@ pub fn follow(
     }
 }
 
+/// To the start of an outline, and once round it in a direction.
+pub fn go_to_and_round(
+    outline: &KlartextPocketOutline,
+    place: [f64; 2],
+    is_clockwise: bool,
+    feed: CycleFeed,
+    steps: &mut Vec<KlartextCycleStep>,
+) {
+    let mut round = Vec::new();
+    follow(outline, place, feed, &mut round);
+    steps.extend(round.first());
+    go_round(outline, place, is_clockwise, feed, steps);
+}
+
 /// Once round an outline in a direction. The tool is at its start already.
 pub fn go_round(
     outline: &KlartextPocketOutline,

@@ -1,13 +1,13 @@
 //! Pockets and slots: cycles 251 to 254, and 4 and 5 of old controls.
 //!
 //! Shape, levels and ends are those of the control. The order of the cuts is not given by any manual: each level is
-//! cleared in rings from the centre outwards, counter-clockwise.
+//! cleared in rings from the centre outwards, in the direction that Q351 or DR gives.
 
 use chordal_kernel::frames::sin_cos_degrees;
 
 use super::levels::{MAX_CUTS, infeed_levels};
 use super::old_cycles::OldCycle;
-use super::outline::{KlartextPocketOutline, follow, shrunk, turned};
+use super::outline::{KlartextPocketOutline, go_to_and_round, shrunk, turned};
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
 use super::values::CycleValues;
 
@@ -75,8 +75,13 @@ pub fn pocket_steps(
     let feeds = PocketFeeds { plunge: values.feed(206), mill, finish, stepover: overlap * tool };
     let wall = outline(number, values, tool)?;
     let rough = shrunk(wall, allowance);
-    let parts =
-        PocketParts { wall, rough, roughs: kind != 2, finishes: kind != 1 && allowance > 0.0 };
+    let parts = PocketParts {
+        wall,
+        rough,
+        roughs: kind != 2,
+        finishes: kind != 1 && allowance > 0.0,
+        is_clockwise: context.turns_clockwise_inside(values),
+    };
     let mut steps = vec![KlartextCycleStep::Rapid(levels.clearance)];
     for place in places(number, values, context) {
         cut_pocket(&parts, place, &levels, &feeds, &mut steps)?;
@@ -121,7 +126,13 @@ pub fn old_pocket_steps(
     };
     let plunge = speed(value(3, 1)).unwrap_or(mill);
     let feeds = PocketFeeds { plunge, mill, finish: mill, stepover: USUAL_OVERLAP * tool };
-    let parts = PocketParts { wall, rough: wall, roughs: true, finishes: false };
+    let parts = PocketParts {
+        wall,
+        rough: wall,
+        roughs: true,
+        finishes: false,
+        is_clockwise: cycle.data.is_clockwise,
+    };
     let mut steps = Vec::new();
     cut_pocket(&parts, [0.0; 2], &levels, &feeds, &mut steps)?;
     steps.push(KlartextCycleStep::Rapid(levels.end));
@@ -225,6 +236,7 @@ struct PocketParts {
     rough: KlartextPocketOutline,
     roughs: bool,
     finishes: bool,
+    is_clockwise: bool,
 }
 
 fn cut_pocket(
@@ -252,14 +264,14 @@ fn cut_pocket(
         for level in cut_levels {
             steps.push(KlartextCycleStep::Feed { to: level, feed: feeds.plunge });
             for ring in &all_rings {
-                follow(ring, place, feeds.mill, steps);
+                go_to_and_round(ring, place, parts.is_clockwise, feeds.mill, steps);
             }
             steps.push(KlartextCycleStep::Across { offset: start, feed: feeds.mill });
         }
     }
     if parts.finishes {
         steps.push(KlartextCycleStep::Feed { to: levels.bottom, feed: feeds.plunge });
-        follow(&parts.wall, place, feeds.finish, steps);
+        go_to_and_round(&parts.wall, place, parts.is_clockwise, feeds.finish, steps);
         steps.push(KlartextCycleStep::Across { offset: start, feed: feeds.finish });
     }
     steps.push(KlartextCycleStep::Rapid(levels.clearance));
@@ -312,6 +324,7 @@ mod tests {
         tool_radius: Some(5.0),
         point_angle: None,
         rpm: 1000.0,
+        turns_left: false,
         peck_stop: Some(0.2),
         refuses_positive_depth: true,
     };

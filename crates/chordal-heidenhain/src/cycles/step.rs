@@ -2,6 +2,8 @@
 
 use chordal_command::SpindleState;
 
+use super::values::CycleValues;
+
 /// A feed of a step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum CycleFeed {
@@ -66,9 +68,9 @@ pub enum KlartextCycleStep {
         /// The feed.
         feed: CycleFeed,
     },
-    /// A helix about where the cycle was called, counter-clockwise.
+    /// A helix about where the cycle was called.
     Helix {
-        /// Its angle, rad.
+        /// Its angle, rad, positive counter-clockwise.
         sweep_rad: f64,
         /// Its end level.
         to: f64,
@@ -117,6 +119,8 @@ pub struct CycleContext {
     pub point_angle: Option<f64>,
     /// The speed of the spindle, rev/min.
     pub rpm: f64,
+    /// The spindle turns counter-clockwise.
+    pub turns_left: bool,
     /// How far above the last depth the rapid of cycle 200 ends; `None` for the set-up clearance.
     pub peck_stop: Option<f64>,
     /// A positive depth is an error.
@@ -129,10 +133,13 @@ impl CycleContext {
     /// # Errors
     /// Where it is not known.
     pub fn needed_tool_radius(&self, cycle: u32) -> Result<f64, KlartextCycleFault> {
-        self.tool_radius.ok_or_else(|| {
-            let message = format!("cycle {cycle} needs the radius of the tool, which is not given");
-            KlartextCycleFault::NotFollowed(message)
-        })
+        self.tool_radius.ok_or(KlartextCycleFault::MissingRadius(cycle))
+    }
+
+    /// Whether the tool goes round clockwise in a pocket or a bore: up-cut (Q351 = -1) with a spindle that turns
+    /// clockwise, or climb with the other.
+    pub fn turns_clockwise_inside(&self, values: &CycleValues) -> bool {
+        (values.number(351) < 0.0) != self.turns_left
     }
 }
 
@@ -147,4 +154,6 @@ pub enum KlartextCycleFault {
     ToolTooLarge(String),
     /// The cycle is not carried out here, in words.
     NotFollowed(String),
+    /// The radius of the tool is not known, which this cycle needs.
+    MissingRadius(u32),
 }

@@ -127,6 +127,16 @@ pub fn stud_steps(
     let Some(depth) = values.downward_depth()? else { return Ok(Vec::new()) };
     let tool = context.needed_tool_radius(number)?;
     let (wall, sides, blank) = stud_outline(number, values, tool);
+    for axis in 0..2 {
+        if blank[axis] < sides[axis] - 1e-9 {
+            let message = format!(
+                "the stud of {} mm is larger than its blank of {} mm",
+                2.0 * sides[axis],
+                2.0 * blank[axis]
+            );
+            return Err(KlartextCycleFault::BadValue(message));
+        }
+    }
     // Older controls have no Q215 and leave the allowance.
     let kind = if values.has(215) { values.number(215).round() as i64 } else { 1 };
     let allowance = values.length(368).max(0.0);

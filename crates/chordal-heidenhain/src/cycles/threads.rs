@@ -223,6 +223,7 @@ mod tests {
         tool_radius: Some(3.0),
         point_angle: None,
         rpm: 3000.0,
+        turns_left: false,
         peck_stop: Some(0.2),
         refuses_positive_depth: true,
     };

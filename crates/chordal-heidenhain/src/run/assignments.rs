@@ -122,6 +122,10 @@ impl KlartextInterpreter<'_> {
         let range = self.here;
         match number {
             15 | 16 | 17 | 38 => {}
+            39.. => {
+                let message = format!("there is no FN {number}");
+                self.problem(Code::UnknownCode, range, message);
+            }
             _ => {
                 if self.is_first_report(&format!("FN {number}")) {
                     let what = format!("FN {number} is read and moves nothing here");
@@ -130,7 +134,7 @@ impl KlartextInterpreter<'_> {
             }
         }
         if let Some(target) = target {
-            self.parameters.set(target, 0.0);
+            self.parameters.set_unknown(target);
         }
     }
 }

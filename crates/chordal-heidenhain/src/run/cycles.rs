@@ -2,19 +2,22 @@
 
 use std::collections::BTreeMap;
 
-use chordal_command::{AxisMask, FeedMode};
-use chordal_diagnostics::{Code, Diagnostic, TextRange};
+use chordal_command::{AxisMask, CompensationSide, FeedMode, SpindleState};
+use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
+use chordal_geometry::TurnDirection;
 
 use super::interpreter::KlartextInterpreter;
 use super::program_texts::called_name;
 use super::run_state::{CycleNumber, DataValue, KlartextFlow, StoredCycle};
 use crate::alarms::{CYCLE_INCOMPLETE, TOOL_TOO_LARGE};
 use crate::cycles::{
-    CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleRunner, OldCycle,
-    OldCycleData, cycle_signature, old_cycle_lines, old_cycle_steps, old_pocket_steps,
-    old_slot_steps, pattern_points,
+    CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleRunner,
+    KlartextCycleStep, OldCycle, OldCycleData, cycle_signature, old_cycle_lines, old_cycle_steps,
+    old_pocket_steps, old_slot_steps, pattern_points, refused_range,
 };
-use crate::syntax::{CycleValue, CycleWord, KlartextStatement, PathWords};
+use crate::syntax::{
+    CycleValue, CycleWord, KlartextStatement, ParameterBank, ParameterName, PathWords,
+};
 
 /// The parameters that a pattern gives to the cycle before it.
 const OF_PATTERN: [u32; 3] = [200, 203, 204];
@@ -35,6 +38,10 @@ impl KlartextInterpreter<'_> {
             };
             if let Some(number) = number {
                 self.parameters.set_shared(*parameter, number);
+                if let Some(allowed) = refused_range(*parameter, number) {
+                    let message = format!("Q{parameter} is {number}, and {allowed} is allowed");
+                    self.problem(Code::BadWordValue, *range, message);
+                }
             }
             if let Some(value) = CycleNumber::of(*value, number) {
                 values.insert(*parameter, value);
@@ -188,8 +195,10 @@ impl KlartextInterpreter<'_> {
         let side = lines.get(&4).and_then(|words| words.first());
         let second_axis_first = matches!(number, 3 | 4)
             && side.is_some_and(|word| word.label == ["X", "Y", "Z"][second]);
+        let is_clockwise =
+            lines.values().flatten().any(|word| word.direction == Some(TurnDirection::Cw));
         let lines = lines.iter().map(values).collect();
-        OldCycle { number, data: OldCycleData { lines, second_axis_first } }
+        OldCycle { number, data: OldCycleData { lines, second_axis_first, is_clockwise } }
     }
 
     /// CYCL CALL.
@@ -273,29 +282,10 @@ impl KlartextInterpreter<'_> {
             self.kernel.report(diagnostic.help("write CYCL DEF before the call"));
             return KlartextFlow::Next;
         };
+        self.check_side_at_call(&cycle);
         match cycle {
             StoredCycle::Program { name, .. } => return self.call_named_program(&name),
-            StoredCycle::Lines { number, lines, .. } => {
-                if old_cycle_lines(number).is_none() {
-                    return KlartextFlow::Next;
-                }
-                let old = self.old_cycle(number, &lines);
-                let context = self.cycle_context();
-                let steps = match number {
-                    3..=5 => {
-                        self.report_assumed_path(number);
-                        match number {
-                            3 => old_slot_steps(&old, &context),
-                            _ => old_pocket_steps(&old, &context),
-                        }
-                    }
-                    _ => old_cycle_steps(&old, &context),
-                };
-                match steps {
-                    Ok(steps) => self.run_steps(&steps),
-                    Err(fault) => self.report_cycle(fault),
-                }
-            }
+            StoredCycle::Lines { number, lines, .. } => self.run_old_cycle(number, &lines),
             StoredCycle::Parameters { number, values, .. } => {
                 let values = self.cycle_values(&values);
                 let raised = values.length(203) + surface_mm;
@@ -303,6 +293,41 @@ impl KlartextInterpreter<'_> {
             }
         }
         KlartextFlow::Next
+    }
+
+    /// A cycle is called where the tool stands with R0 (TNC 640 cycle programming 34059x, "Please note while
+    /// programming" of each cycle).
+    fn check_side_at_call(&mut self, cycle: &StoredCycle) {
+        let is_program = matches!(cycle, StoredCycle::Program { .. });
+        if is_program || self.kernel.state.side == CompensationSide::Off {
+            return;
+        }
+        let message = "a cycle is called with tool radius compensation active";
+        let diagnostic = Diagnostic::new(Code::CycleInCompensation, self.span(self.here), message);
+        let help = "go to the point of the call with R0";
+        self.kernel.report(diagnostic.severity(Severity::Warning).help(help));
+    }
+
+    fn run_old_cycle(&mut self, number: u32, lines: &BTreeMap<u32, Vec<DataValue>>) {
+        if old_cycle_lines(number).is_none() {
+            return;
+        }
+        let old = self.old_cycle(number, lines);
+        let context = self.cycle_context();
+        let steps = match number {
+            3..=5 => {
+                self.report_assumed_path(number);
+                match number {
+                    3 => old_slot_steps(&old, &context),
+                    _ => old_pocket_steps(&old, &context),
+                }
+            }
+            _ => old_cycle_steps(&old, &context),
+        };
+        match steps {
+            Ok(steps) => self.run_steps(&steps),
+            Err(fault) => self.report_cycle(fault),
+        }
     }
 
     fn run_parameter_cycle(&mut self, number: u32, values: &CycleValues) {
@@ -346,17 +371,27 @@ impl KlartextInterpreter<'_> {
                 self.alarm(TOOL_TOO_LARGE, Code::PocketTooSmall, range, message);
             }
             KlartextCycleFault::NotFollowed(message) => self.not_followed(range, message),
+            KlartextCycleFault::MissingRadius(cycle) => {
+                let tool = self.kernel.state.tool;
+                let message =
+                    format!("cycle {cycle} needs the radius of tool {tool}, which is not given");
+                let diagnostic = Diagnostic::new(Code::NotFollowed, self.span(range), message);
+                let help = format!("set it with --set tools.{tool}.diameter=\"…\"");
+                self.kernel.report(diagnostic.help(help));
+            }
         }
     }
 
-    /// The values of a cycle in mm and mm/s.
+    /// The values of a cycle in mm and mm/s. Its data are Q parameters: what was assigned to one after the definition
+    /// counts (TNC 640 cycle programming 34059x, 3.1).
     fn cycle_values(&self, values: &BTreeMap<u32, CycleNumber>) -> CycleValues {
         let feed_unit = self.feed_mm(1.0, FeedMode::PerTime);
         let (mut numbers, mut feeds) = (BTreeMap::new(), BTreeMap::new());
         for (number, value) in values {
             match value {
                 CycleNumber::Value(value) => {
-                    numbers.insert(*number, *value);
+                    let name = ParameterName { bank: ParameterBank::Shared, number: *number };
+                    numbers.insert(*number, self.parameters.number(name).unwrap_or(*value));
                 }
                 CycleNumber::Max => {
                     feeds.insert(*number, CycleFeed::Rapid);
@@ -381,6 +416,7 @@ impl KlartextInterpreter<'_> {
             tool_radius: self.kernel.state.offsets.radius_mm(tool),
             point_angle: self.tools.get(&tool).and_then(|tool| tool.point_angle_rad),
             rpm: self.kernel.state.rpm,
+            turns_left: self.kernel.state.spindle == SpindleState::Ccw,
             peck_stop: settings.peck_stop_mm,
             refuses_positive_depth: settings.positive_depth_is_error,
         }
@@ -390,13 +426,15 @@ impl KlartextInterpreter<'_> {
     fn run_pattern(&mut self, number: u32, values: &BTreeMap<u32, CycleNumber>) -> KlartextFlow {
         let range = self.here;
         let values = self.cycle_values(values);
-        let Some(StoredCycle::Parameters { number: inner, values: own, .. }) =
-            self.modes.cycle.clone()
-        else {
-            let message = format!("cycle {number} runs the cycle before it, and none is defined");
-            let diagnostic = Diagnostic::new(Code::NoCycle, self.span(range), message);
-            self.kernel.report(diagnostic.help("define a cycle before the pattern"));
-            return KlartextFlow::Next;
+        let cycle = match self.modes.cycle.clone() {
+            Some(StoredCycle::Program { .. }) | None => {
+                let message =
+                    format!("cycle {number} runs the cycle before it, and none is defined");
+                let diagnostic = Diagnostic::new(Code::NoCycle, self.span(range), message);
+                self.kernel.report(diagnostic.help("define a cycle before the pattern"));
+                return KlartextFlow::Next;
+            }
+            Some(cycle) => cycle,
         };
         let pattern = match pattern_points(number, &values) {
             Ok(pattern) => pattern,
@@ -406,13 +444,26 @@ impl KlartextInterpreter<'_> {
             }
         };
         let (a, b, _) = self.tool_plane().axes();
-        let cycle = self.cycle_values(&own).with(&values, &OF_PATTERN);
+        let clearance = values.length(203) + values.length(200);
+        let end = clearance.max(values.length(203) + values.length(204));
         for point in pattern.points {
             let start = self.programmed();
             let mut place = [start[0], start[1], start[2]];
             (place[a], place[b]) = (point[0], point[1]);
             self.rapid_to(place, AxisMask(1 << a | 1 << b));
-            self.run_parameter_cycle(inner, &cycle);
+            match &cycle {
+                StoredCycle::Parameters { number, values: own, .. } => {
+                    let own = self.cycle_values(own).with(&values, &OF_PATTERN);
+                    self.run_parameter_cycle(*number, &own);
+                }
+                // Old cycles begin where the tool is.
+                StoredCycle::Lines { number, lines, .. } => {
+                    self.run_steps(&[KlartextCycleStep::Rapid(clearance)]);
+                    self.run_old_cycle(*number, lines);
+                    self.run_steps(&[KlartextCycleStep::Rapid(end)]);
+                }
+                StoredCycle::Program { .. } => {}
+            }
             if !self.kernel.count_repeated() {
                 return KlartextFlow::End(chordal_kernel::EndReason::Budget);
             }

@@ -145,7 +145,12 @@ impl KlartextInterpreter<'_> {
             return KlartextFlow::End(EndReason::LostJump);
         };
         if let Some(repeats) = repeats {
-            let count = self.operand(repeats, range).unwrap_or(0.0).round().max(0.0);
+            let count = self.operand(repeats, range).unwrap_or(0.0).round();
+            if count < 0.0 {
+                let message = format!("REP is {count}: a part is repeated 0 times or more");
+                self.problem(Code::BadWordValue, range, message);
+            }
+            let count = count.max(0.0);
             return self.repeat(place, count.min(f64::from(u32::MAX)) as u32);
         }
         let depth: usize = self.stack.iter().map(|running| running.returns.len()).sum();

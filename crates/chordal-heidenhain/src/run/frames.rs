@@ -6,6 +6,7 @@ use chordal_diagnostics::{Code, TextRange};
 use super::interpreter::KlartextInterpreter;
 use super::run_state::ProgrammedFrame;
 use super::transformations::Transformation;
+use crate::alarms::CYCLE_INCOMPLETE;
 use crate::datum_table::preset_name;
 use crate::syntax::{CycleWord, PathWords};
 
@@ -89,7 +90,9 @@ impl KlartextInterpreter<'_> {
     }
 
     fn cycle_rotation(&mut self, words: &[CycleWord]) {
-        let Some(word) = words.iter().find(|word| word.label.ends_with("ROT")) else { return };
+        let Some(word) = words.iter().find(|word| word.label.ends_with("ROT")) else {
+            return self.incomplete_cycle(10, "the angle ROT");
+        };
         let Some(value) = self.word_value(word) else { return };
         let before = self.modes.chain.rotation_deg();
         let degrees = if word.label.starts_with('I') { before + value } else { value };
@@ -97,8 +100,15 @@ impl KlartextInterpreter<'_> {
         self.transform(Transformation::Rotation(plane, degrees));
     }
 
+    fn incomplete_cycle(&mut self, number: u32, what: &str) {
+        let message = format!("cycle {number} lacks {what}");
+        self.alarm(CYCLE_INCOMPLETE, Code::CycleLevels, self.here, message);
+    }
+
     fn cycle_scale(&mut self, words: &[CycleWord]) {
-        let Some(word) = words.iter().find(|word| word.value.is_some()) else { return };
+        let Some(word) = words.iter().find(|word| word.value.is_some()) else {
+            return self.incomplete_cycle(11, "the factor SCL");
+        };
         let Some(factor) = self.word_value(word) else { return };
         if factor <= 0.0 {
             return self.bad_factor(word.range, factor);

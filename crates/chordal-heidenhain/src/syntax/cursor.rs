@@ -6,6 +6,11 @@ use super::ast::{KlartextFault, KlartextFaultKind};
 use super::operands::{OperandWord, ParameterBank, ParameterName, WordOperand};
 use super::tokens::{KlartextToken, KlartextTokenKind};
 
+/// The last Q and QS parameter (TNC 640 user's manual 34059x, Q parameters).
+const MAX_SHARED_PARAMETER: f64 = 1999.0;
+/// The last QL and QR parameter.
+const MAX_LOCAL_PARAMETER: f64 = 499.0;
+
 /// Reads the tokens of a block.
 pub struct TokenCursor<'t> {
     /// The text of the program.
@@ -137,7 +142,17 @@ impl<'t> TokenCursor<'t> {
         if number.fract() != 0.0 || number > 99_999.0 {
             return None;
         }
+        let start = self.peek()?.range;
         self.at += 2;
+        let most = match bank {
+            ParameterBank::Shared | ParameterBank::Text => MAX_SHARED_PARAMETER,
+            ParameterBank::Local | ParameterBank::Retained => MAX_LOCAL_PARAMETER,
+        };
+        if number > most {
+            let range = self.range_from(start);
+            let message = format!("{} is above {most}, the last one", self.shown(range));
+            self.fault(KlartextFaultKind::Unreadable, range, message);
+        }
         Some(ParameterName { bank, number: number as u32 })
     }
 
@@ -145,6 +160,7 @@ impl<'t> TokenCursor<'t> {
     pub fn take_operand(&mut self) -> Option<WordOperand> {
         let start = self.at;
         let mut is_negative = false;
+        let first = self.peek().map(|token| token.range);
         while let Some(KlartextToken { kind: KlartextTokenKind::Sign(sign), .. }) = self.peek() {
             match sign {
                 b'+' => {}
@@ -152,6 +168,13 @@ impl<'t> TokenCursor<'t> {
                 _ => break,
             }
             self.at += 1;
+        }
+        if self.at > start + 1
+            && let Some(first) = first
+        {
+            let range = self.range_from(first);
+            let message = format!("{} stand before one value", self.shown(range));
+            self.fault(KlartextFaultKind::Unreadable, range, message);
         }
         if let Some(name) = self.take_parameter() {
             return Some(WordOperand::Parameter { is_negative, name });

@@ -50,7 +50,7 @@ fn cycle_number(cursor: &mut TokenCursor<'_>) -> Option<(u32, Option<u32>)> {
 
 /// The parameters of a cycle; its name, in the language of the shop, is left out.
 pub fn parameters(cursor: &mut TokenCursor<'_>) -> Vec<(u32, CycleValue, TextRange)> {
-    let mut values = Vec::new();
+    let mut values: Vec<(u32, CycleValue, TextRange)> = Vec::new();
     while let Some(token) = cursor.peek() {
         let is_set = matches!(
             cursor.peek_after(2).map(|token| &token.kind),
@@ -69,7 +69,12 @@ pub fn parameters(cursor: &mut TokenCursor<'_>) -> Vec<(u32, CycleValue, TextRan
         if matches!(value, CycleValue::Max | CycleValue::OfTool) {
             cursor.take();
         }
-        values.push((name.number, value, cursor.range_from(token.range)));
+        let range = cursor.range_from(token.range);
+        if values.iter().any(|(number, ..)| *number == name.number) {
+            let message = format!("Q{} stands twice in this cycle", name.number);
+            cursor.fault(KlartextFaultKind::DoubleWord, range, message);
+        }
+        values.push((name.number, value, range));
     }
     values
 }

@@ -60,7 +60,14 @@ pub fn statement(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
         }
         "LBL" => {
             cursor.take();
-            label_name(cursor).map_or_else(|| unknown(cursor), KlartextStatement::Label)
+            let Some(name) = label_name(cursor) else {
+                let range = cursor.rest().cover(first.range);
+                cursor.take_rest();
+                let message = "LBL has no number and no name";
+                cursor.fault(KlartextFaultKind::MissingValue, range, message);
+                return KlartextStatement::Unknown;
+            };
+            KlartextStatement::Label(name)
         }
         "M" => KlartextStatement::Functions(Box::new(path_words(cursor))),
         "LN" => {

@@ -297,6 +297,7 @@ impl KlartextBlocks<'_> {
             tool_radius: None,
             point_angle: None,
             rpm: self.speed.desired,
+            turns_left: false,
             peck_stop: self.settings.peck_stop_mm,
             refuses_positive_depth: self.settings.positive_depth_is_error,
         };
