@@ -24,7 +24,10 @@ pub const VOCABULARY: &[(&str, &str)] = &[
     ("REP", "how often the part before is run again"),
     ("CYCL", "CYCL DEF defines a cycle, CYCL CALL runs it"),
     ("SEL", "SEL TABLE names the datum table for cycle 7 and TRANS DATUM TABLE"),
-    ("TRANS", "TRANS DATUM shifts the datum: AXIS by values, TABLE by a line of a table; RESET ends it"),
+    (
+        "TRANS",
+        "TRANS DATUM shifts the datum: AXIS by values, TABLE by a line of a table; RESET ends it",
+    ),
     ("TABLINE", "the line of the datum table"),
     ("BLK", "BLK FORM: the blank"),
     ("FN", "calculates, compares, jumps or asks the control"),
