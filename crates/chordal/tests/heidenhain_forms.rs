@@ -135,6 +135,12 @@ fn other_forms_do_the_same() {
     for (name, text) in programs() {
         let own = facts(&text);
         for (form, written) in &forms {
+            // Elements of a free contour may name others by their block numbers.
+            let names_blocks = [" RX", " RY", " RAN", " PAR", " RPR", " RPA", " RCC"];
+            let is_named = names_blocks.iter().any(|word| text.contains(word));
+            if form.contains("block numbers") && is_named {
+                continue;
+            }
             if facts(&written(&text)) == own {
                 same += 1;
             } else {

@@ -1,9 +1,9 @@
 //! What the control accepts as data of cycles (TNC 640 cycle programming 34059x, "input range" of each parameter).
 
 /// Data that cannot be negative: clearances, infeeds, feeds, dwells, sizes, numbers of operations.
-const NOT_NEGATIVE: [u32; 24] = [
-    200, 202, 205, 206, 207, 208, 209, 210, 211, 212, 213, 218, 219, 220, 222, 223, 253, 254, 255,
-    256, 257, 334, 335, 338,
+const NOT_NEGATIVE: [u32; 22] = [
+    200, 202, 205, 206, 207, 208, 209, 210, 211, 212, 213, 220, 222, 223, 253, 254, 255, 256, 257,
+    334, 335, 338,
 ];
 
 /// Data that choose one of some cases, and the smallest and the largest.

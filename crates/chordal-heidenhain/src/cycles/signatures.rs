@@ -21,6 +21,8 @@ pub enum KlartextCycleRunner {
     Exact(CycleSteps),
     /// The same; the order of its moves, or some of them, are assumed.
     Assumed(CycleSteps),
+    /// It runs where it is called, on the contours of cycle 14; the order of its moves is assumed.
+    OnContours,
     /// It acts where it is defined.
     AtOnce,
     /// It is not carried out.
@@ -58,6 +60,14 @@ const fn assumed(
     KlartextCycleSignature { number, title, required, runner: KlartextCycleRunner::Assumed(steps) }
 }
 
+const fn on_contours(
+    number: u32,
+    title: &'static str,
+    required: &'static [u32],
+) -> KlartextCycleSignature {
+    KlartextCycleSignature { number, title, required, runner: KlartextCycleRunner::OnContours }
+}
+
 const fn at_once(
     number: u32,
     title: &'static str,
@@ -75,6 +85,12 @@ pub const MISSING_DEPTH: u32 = 201;
 
 /// The cycles.
 const CYCLE_SIGNATURES: &[KlartextCycleSignature] = &[
+    at_once(20, "contour data", &[1, 3, 4, 5, 6, 7]),
+    on_contours(21, "pilot drilling", &[10, 11]),
+    on_contours(22, "rough-out", &[10, 11, 12]),
+    on_contours(23, "floor finishing", &[11, 12]),
+    on_contours(24, "side finishing", &[10, 11, 12]),
+    on_contours(25, "contour train", &[1, 3, 5, 7, 10, 11, 12]),
     exact(200, "drilling", &[200, 201, 206, 202, 203], parameter_cycle_steps),
     exact(201, "reaming", &[200, 201, 206, 203], parameter_cycle_steps),
     exact(202, "boring", &[200, 201, 206, 203, 214], parameter_cycle_steps),
@@ -177,6 +193,7 @@ const CYCLE_SIGNATURES: &[KlartextCycleSignature] = &[
         thread_steps,
     ),
     assumed(267, "outside thread milling", &[335, 239, 201, 200, 203, 207], thread_steps),
+    at_once(270, "contour train data", &[]),
 ];
 
 /// A cycle by its number; `None` for one that is not known.

@@ -2,6 +2,23 @@
 
 /// The parameters of cycles (TNC 640 cycle programming 34059x).
 const PARAMETERS: &[(u32, &str)] = &[
+    (1, "milling depth: from the surface, incremental; negative is down"),
+    (2, "path overlap: by which the tool radius is multiplied"),
+    (3, "finishing allowance for side"),
+    (4, "finishing allowance for floor"),
+    (5, "surface coordinate: absolute"),
+    (6, "set-up clearance: above the surface, incremental"),
+    (7, "clearance height: absolute"),
+    (8, "rounding radius: of inside corners of the path"),
+    (9, "direction of rotation: +1 climb, -1 up-cut"),
+    (10, "plunging depth: of one infeed"),
+    (11, "feed rate for plunging"),
+    (12, "feed rate for milling"),
+    (13, "number of the rough-out tool"),
+    (14, "finishing allowance for side: which is left"),
+    (15, "type of milling: +1 climb, -1 up-cut, 0 both in turn"),
+    (18, "coarse roughing tool: 0 for none"),
+    (19, "feed rate for reciprocation"),
     (200, "set-up clearance: above the surface, incremental"),
     (201, "depth: from the surface, incremental; negative is down"),
     (202, "plunging depth: of one infeed"),
@@ -96,6 +113,7 @@ const PARAMETERS: &[(u32, &str)] = &[
     (395, "reference for depth: 0 tip, 1 full diameter"),
     (401, "feed rate factor, %"),
     (403, "rpm factor for retraction"),
+    (404, "fine roughing strategy"),
     (424, "workpiece blank side length 1"),
     (425, "workpiece blank side length 2"),
     (426, "direction of spindle rotation: 3, 4, or 5 for a standstill"),
@@ -105,6 +123,9 @@ const PARAMETERS: &[(u32, &str)] = &[
     (430, "coolant off, as an M function"),
     (435, "dwell depth"),
     (437, "approach position"),
+    (446, "accepted residual material"),
+    (447, "maximum connection distance"),
+    (448, "path extension"),
 ];
 
 /// M functions that are carried out or noted.

@@ -88,6 +88,12 @@ impl KlartextInterpreter<'_> {
                 KlartextFlow::Next
             }
             220 | 221 => self.run_pattern(number, &values),
+            20 => {
+                self.modes.contour_data = values;
+                KlartextFlow::Next
+            }
+            // It says how the contour train comes to the contour, which is assumed in any case.
+            270 => KlartextFlow::Next,
             _ => {
                 self.modes.cycle = Some(StoredCycle::Parameters { number, values, range });
                 KlartextFlow::Next
@@ -105,6 +111,7 @@ impl KlartextInterpreter<'_> {
     ) {
         let range = self.here;
         match number {
+            14 => self.contour_labels(line, rest),
             7..=11 | 13 | 19 | 26 | 32 => {
                 if line > 0 {
                     self.immediate_cycle(number, line, words);
@@ -286,6 +293,14 @@ impl KlartextInterpreter<'_> {
         match cycle {
             StoredCycle::Program { name, .. } => return self.call_named_program(&name),
             StoredCycle::Lines { number, lines, .. } => self.run_old_cycle(number, &lines),
+            StoredCycle::Parameters { number, values, .. }
+                if matches!(
+                    cycle_signature(number).map(|signature| signature.runner),
+                    Some(KlartextCycleRunner::OnContours)
+                ) =>
+            {
+                self.run_contour_cycle(number, &values);
+            }
             StoredCycle::Parameters { number, values, .. } => {
                 let values = self.cycle_values(&values);
                 let raised = values.length(203) + surface_mm;
@@ -338,7 +353,12 @@ impl KlartextInterpreter<'_> {
                 self.report_assumed_path(number);
                 steps
             }
-            Some(KlartextCycleRunner::AtOnce | KlartextCycleRunner::Nothing) | None => return,
+            Some(
+                KlartextCycleRunner::OnContours
+                | KlartextCycleRunner::AtOnce
+                | KlartextCycleRunner::Nothing,
+            )
+            | None => return,
         };
         match steps(number, values, &self.cycle_context()) {
             Ok(steps) => self.run_steps(&steps),
@@ -347,7 +367,7 @@ impl KlartextInterpreter<'_> {
     }
 
     /// Says once for each cycle that its path is not that of the control in every move.
-    fn report_assumed_path(&mut self, number: u32) {
+    pub(super) fn report_assumed_path(&mut self, number: u32) {
         if !self.is_first_report(&format!("path of cycle {number}")) {
             return;
         }
@@ -358,7 +378,7 @@ impl KlartextInterpreter<'_> {
         self.kernel.report(diagnostic.help(help));
     }
 
-    fn report_cycle(&mut self, fault: KlartextCycleFault) {
+    pub(super) fn report_cycle(&mut self, fault: KlartextCycleFault) {
         let range = self.here;
         match fault {
             KlartextCycleFault::Incomplete(message) => {
@@ -384,7 +404,7 @@ impl KlartextInterpreter<'_> {
 
     /// The values of a cycle in mm and mm/s. Its data are Q parameters: what was assigned to one after the definition
     /// counts (TNC 640 cycle programming 34059x, 3.1).
-    fn cycle_values(&self, values: &BTreeMap<u32, CycleNumber>) -> CycleValues {
+    pub(super) fn cycle_values(&self, values: &BTreeMap<u32, CycleNumber>) -> CycleValues {
         let feed_unit = self.feed_mm(1.0, FeedMode::PerTime);
         let (mut numbers, mut feeds) = (BTreeMap::new(), BTreeMap::new());
         for (number, value) in values {
@@ -405,7 +425,7 @@ impl KlartextInterpreter<'_> {
         CycleValues::new(numbers, feeds, self.unit_mm(), feed_unit)
     }
 
-    fn cycle_context(&self) -> CycleContext {
+    pub(super) fn cycle_context(&self) -> CycleContext {
         let tool = self.kernel.state.tool;
         let settings = &self.programs.settings;
         let place = self.programmed();

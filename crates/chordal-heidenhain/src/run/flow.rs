@@ -117,7 +117,11 @@ impl KlartextInterpreter<'_> {
     }
 
     /// The place of a label; a label that is not there is reported.
-    fn label_place(&mut self, label: &KlartextLabel, range: TextRange) -> Option<(u32, u32)> {
+    pub(super) fn label_place(
+        &mut self,
+        label: &KlartextLabel,
+        range: TextRange,
+    ) -> Option<(u32, u32)> {
         let label = self.resolved_label(label, range)?;
         if label == KlartextLabel::Number(0) {
             let message = "label 0 ends subprograms and is not called";

@@ -12,6 +12,7 @@ mod blank;
 mod blank_record;
 mod block_values;
 mod compensation;
+mod contour_programs;
 mod contours;
 mod corners;
 mod cycle_moves;

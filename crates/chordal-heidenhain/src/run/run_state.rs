@@ -217,6 +217,10 @@ pub struct KlartextModes {
     pub open_cycle: Option<StoredCycle>,
     /// The positions of PATTERN DEF.
     pub pattern: Vec<PatternGroup>,
+    /// The labels of the contours of cycle 14.
+    pub contour_labels: Vec<KlartextLabel>,
+    /// The data of cycle 20.
+    pub contour_data: BTreeMap<u32, CycleNumber>,
     /// The datum table of SEL TABLE; `None` without one.
     pub datum_table: Option<String>,
     /// M97 stands in the block before: the next corner is passed without an arc.
@@ -258,6 +262,8 @@ impl Default for KlartextModes {
             cycle: None,
             open_cycle: None,
             pattern: Vec::new(),
+            contour_labels: Vec::new(),
+            contour_data: BTreeMap::new(),
             datum_table: None,
             meets_corner: false,
             has_corner: false,

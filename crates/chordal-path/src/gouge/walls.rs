@@ -209,8 +209,8 @@ fn places(chain: &[ContourBlock], grain: f64) -> Vec<(usize, usize)> {
         let cell = libm::floor(at) as i64;
         let inside = at - cell as f64;
         let adjacent = match inside * CELL {
-            near_low if near_low <= 1.0 => Some(cell - 1),
-            near_high if near_high >= CELL - 1.0 => Some(cell + 1),
+            near_low if near_low <= 1.0 => Some(cell.saturating_sub(1)),
+            near_high if near_high >= CELL - 1.0 => Some(cell.saturating_add(1)),
             _ => None,
         };
         (cell, adjacent)

@@ -120,7 +120,7 @@ pub fn run(definition: &str, tool: f64) -> Vec<Seen> {
     let [x, y] = CALLED_AT;
     let text = format!(
         "BEGIN PGM T MM\nTOOL DEF 1 L+0 R+{tool}\nTOOL CALL 1 Z S{RPM}\nL Z+{START_MM} R0 FMAX M3\n\
-         {definition}\nL X+{x} Y+{y} FMAX\nCYCL CALL\nM30\nEND PGM T MM\n"
+         {definition}\nL X{x:+} Y{y:+} FMAX\nCYCL CALL\nM30\nEND PGM T MM\n"
     );
     let mut machine = Machine::from_builtin("heidenhain-mill").expect("a built-in machine");
     machine.axes.iter_mut().flatten().for_each(|axis| axis.travel = Some((-10_000.0, 10_000.0)));

@@ -11,6 +11,30 @@ use chordal_geometry::Vec2;
 
 use super::outline::{COINCIDENT_POINT_MM, Outline, OutlineElement};
 
+/// A region that walls enclose.
+pub trait WalledRegion {
+    /// The walls, with the region on their left.
+    fn walls(&self) -> Vec<OutlineElement>;
+    /// The distance of a point from the walls, mm.
+    fn distance(&self, p: Vec2) -> f64;
+    /// True for a point inside.
+    fn contains(&self, p: Vec2) -> bool;
+}
+
+impl WalledRegion for Outline {
+    fn walls(&self) -> Vec<OutlineElement> {
+        self.elements().to_vec()
+    }
+
+    fn distance(&self, p: Vec2) -> f64 {
+        Outline::distance(self, p)
+    }
+
+    fn contains(&self, p: Vec2) -> bool {
+        Outline::contains(self, p)
+    }
+}
+
 /// Parts whose middle comes nearer than the distance by more than this, mm, are dropped.
 const NEARER_MM: f64 = 1e-9;
 
@@ -27,11 +51,17 @@ pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
     if distance <= COINCIDENT_POINT_MM {
         return vec![outline.clone()];
     }
-    let candidates = candidates(outline, distance);
+    borders(outline, distance)
+}
+
+/// The border of the points of a region that are at least a distance (above zero, mm) from its walls. Its loops have the
+/// points on their left: those about an island go clockwise.
+pub fn borders(region: &dyn WalledRegion, distance: f64) -> Vec<Outline> {
+    let candidates = candidates(&region.walls(), distance);
     let mut kept: Vec<OutlineElement> = Vec::new();
     for (index, candidate) in candidates.iter().enumerate() {
         for (begin, end) in
-            kept_ranges(outline, distance, candidate, &cuts(candidate, index, &candidates))
+            kept_ranges(region, distance, candidate, &cuts(candidate, index, &candidates))
         {
             let part = candidate.part(begin, end);
             if !kept.iter().any(|other| same(other, &part)) {
@@ -43,32 +73,10 @@ pub fn inset(outline: &Outline, distance: f64) -> Vec<Outline> {
 }
 
 /// The offset lines and arcs, and a circle about every corner.
-fn candidates(outline: &Outline, distance: f64) -> Vec<OutlineElement> {
-    let mut candidates = Vec::new();
-    for element in outline.elements() {
-        match *element {
-            OutlineElement::Line { from, to } => {
-                let Some(along) = (to - from).normalized() else { continue };
-                let by = along.turned_left() * distance;
-                candidates.push(OutlineElement::Line { from: from + by, to: to + by });
-            }
-            OutlineElement::Arc { from, to, center, sweep } => {
-                let radius = element.radius();
-                let moved = radius - distance * sweep.signum();
-                // An arc without a radius is a point, which no loop contains as an arc.
-                if moved > COINCIDENT_POINT_MM {
-                    let scale = moved / radius;
-                    candidates.push(OutlineElement::Arc {
-                        from: center + (from - center) * scale,
-                        to: center + (to - center) * scale,
-                        center,
-                        sweep,
-                    });
-                }
-            }
-        }
-    }
-    for element in outline.elements() {
+fn candidates(walls: &[OutlineElement], distance: f64) -> Vec<OutlineElement> {
+    let mut candidates: Vec<OutlineElement> =
+        walls.iter().filter_map(|element| element.moved_left(distance)).collect();
+    for element in walls {
         let center = element.from();
         let from = center + Vec2::new(distance, 0.0);
         candidates.push(OutlineElement::Arc { from, to: from, center, sweep: -TAU });
@@ -108,7 +116,7 @@ fn cuts(candidate: &OutlineElement, index: usize, all: &[OutlineElement]) -> Vec
 
 /// The ranges between cuts that are far enough from the outline; adjacent ones are merged.
 fn kept_ranges(
-    outline: &Outline,
+    region: &dyn WalledRegion,
     distance: f64,
     candidate: &OutlineElement,
     cuts: &[f64],
@@ -117,9 +125,9 @@ fn kept_ranges(
     for pair in cuts.windows(2) {
         let (begin, end) = (pair[0], pair[1]);
         let middle = candidate.point(0.5 * (begin + end));
-        let near = outline.distance(middle) < distance - NEARER_MM;
+        let near = region.distance(middle) < distance - NEARER_MM;
         if near
-            || !outline.contains(middle)
+            || !region.contains(middle)
             || (end - begin) * candidate.length() < COINCIDENT_POINT_MM
         {
             continue;

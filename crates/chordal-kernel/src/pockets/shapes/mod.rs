@@ -2,18 +2,26 @@
 //! modal state. Lengths are millimetres, angles radians.
 
 mod circle;
+mod corner;
 mod inset;
+mod island;
+#[cfg(test)]
+mod island_tests;
 mod outline;
 mod raster;
 mod rectangle;
 #[cfg(test)]
 mod tests;
+mod train;
 
 pub use circle::{ring_radii, rings};
-pub use inset::inset;
+pub use corner::{chamfered, rounded};
+pub use inset::{WalledRegion, borders, inset};
+pub use island::{IslandError, IslandPocket, outlines_meet};
 pub use outline::{Outline, OutlineElement, OutlineError};
 pub use raster::{PocketRegion, RasterAlong};
 pub use rectangle::{CORNER_STEP, rectangle};
+pub use train::{TrainError, offset_train};
 
 use chordal_geometry::Vec2;
 

@@ -46,14 +46,15 @@ impl OutlineElement {
     }
 
     /// Its radius, mm; zero for a line.
-    pub(super) fn radius(&self) -> f64 {
+    pub fn radius(&self) -> f64 {
         match *self {
             OutlineElement::Line { .. } => 0.0,
             OutlineElement::Arc { from, center, .. } => from.distance(center),
         }
     }
 
-    pub(super) fn length(&self) -> f64 {
+    /// Its length, mm.
+    pub fn length(&self) -> f64 {
         match *self {
             OutlineElement::Line { from, to } => from.distance(to),
             OutlineElement::Arc { sweep, .. } => self.radius() * sweep.abs(),
@@ -61,7 +62,7 @@ impl OutlineElement {
     }
 
     /// The point at a fraction of the length.
-    pub(super) fn point(&self, t: f64) -> Vec2 {
+    pub fn point(&self, t: f64) -> Vec2 {
         match *self {
             _ if t <= 0.0 => self.from(),
             _ if t >= 1.0 => self.to(),
@@ -73,7 +74,7 @@ impl OutlineElement {
     }
 
     /// The part between two fractions.
-    pub(super) fn part(&self, t0: f64, t1: f64) -> OutlineElement {
+    pub fn part(&self, t0: f64, t1: f64) -> OutlineElement {
         let (from, to) = (self.point(t0), self.point(t1));
         match *self {
             OutlineElement::Line { .. } => OutlineElement::Line { from, to },
@@ -84,7 +85,7 @@ impl OutlineElement {
     }
 
     /// The same element in the opposite direction.
-    pub(super) fn reversed(&self) -> OutlineElement {
+    pub fn reversed(&self) -> OutlineElement {
         match *self {
             OutlineElement::Line { from, to } => OutlineElement::Line { from: to, to: from },
             OutlineElement::Arc { from, to, center, sweep } => {
@@ -95,7 +96,7 @@ impl OutlineElement {
 
     /// The fraction of the length at a point of its line or circle; `None` when the point is beyond an end by
     /// more than `tolerance`, mm.
-    pub(super) fn fraction(&self, p: Vec2, tolerance: f64) -> Option<f64> {
+    pub fn fraction(&self, p: Vec2, tolerance: f64) -> Option<f64> {
         let length = self.length();
         if length <= 0.0 {
             return None;
@@ -116,7 +117,7 @@ impl OutlineElement {
     }
 
     /// Distance to a point, mm.
-    pub(super) fn distance(&self, p: Vec2) -> f64 {
+    pub fn distance(&self, p: Vec2) -> f64 {
         let ends = p.distance(self.from()).min(p.distance(self.to()));
         match *self {
             OutlineElement::Line { from, to } => match self.fraction(p, 0.0) {
@@ -131,7 +132,7 @@ impl OutlineElement {
     }
 
     /// The points that two elements have in common, within a tolerance beyond their ends, mm.
-    pub(super) fn crossings(&self, other: &OutlineElement, tolerance: f64) -> Vec<Vec2> {
+    pub fn crossings(&self, other: &OutlineElement, tolerance: f64) -> Vec<Vec2> {
         let line = |from: Vec2, to: Vec2| Line2 { point: from, direction: to - from };
         let circle =
             |element: &OutlineElement, center: Vec2| Circle2 { center, radius: element.radius() };
@@ -157,8 +158,44 @@ impl OutlineElement {
         points.into_iter().filter(on_both).collect()
     }
 
+    /// The direction at a fraction of its length; `None` without a length.
+    pub fn direction(&self, t: f64) -> Option<Vec2> {
+        match *self {
+            OutlineElement::Line { from, to } => (to - from).normalized(),
+            OutlineElement::Arc { center, sweep, .. } => {
+                let outward = (self.point(t) - center).normalized()?;
+                Some(outward.turned_left() * sweep.signum())
+            }
+        }
+    }
+
+    /// The parallel element on the left, to the right for a negative distance, mm; `None` for an arc that vanishes.
+    pub fn moved_left(&self, distance: f64) -> Option<OutlineElement> {
+        match *self {
+            OutlineElement::Line { from, to } => {
+                let by = (to - from).normalized()?.turned_left() * distance;
+                Some(OutlineElement::Line { from: from + by, to: to + by })
+            }
+            OutlineElement::Arc { from, to, center, sweep } => {
+                let radius = self.radius();
+                let moved = radius - distance * sweep.signum();
+                // An arc without a radius is a point, which no loop contains as an arc.
+                if moved <= COINCIDENT_POINT_MM {
+                    return None;
+                }
+                let scale = moved / radius;
+                Some(OutlineElement::Arc {
+                    from: center + (from - center) * scale,
+                    to: center + (to - center) * scale,
+                    center,
+                    sweep,
+                })
+            }
+        }
+    }
+
     /// Its ends, and the points of an arc that lie farthest along the axes.
-    pub(super) fn extremes(&self) -> Vec<Vec2> {
+    pub fn extremes(&self) -> Vec<Vec2> {
         let mut points = vec![self.from(), self.to()];
         if let OutlineElement::Arc { center, .. } = *self {
             let radius = self.radius();
