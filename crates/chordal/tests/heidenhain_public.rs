@@ -99,3 +99,106 @@ fn a_rapid_from_an_unknown_place_is_not_one_into_the_blank() {
     let found = run_on(machine, "a.h", text);
     assert!(found.problems.contains(&(6, "CH602")), "{:?} {:?}", found.problems, found.messages);
 }
+
+/// A program that drills with a cycle and does something between two calls.
+fn drilled(between: &str) -> KlartextOutcome {
+    let text = format!(
+        "BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F500\nL X+0 Y+0 Z+50 R0 FMAX M3\n\
+         CYCL DEF 200 Q200=2 Q201=-10 Q206=150 Q202=20 Q210=0 Q203=+0 Q204=20 Q211=0\n\
+         L X+10 FMAX M99\n{between}\nL X+20 FMAX M99\nM30\nEND PGM A MM\n"
+    );
+    run_on(tool_10(), "a.h", &text)
+}
+
+#[test]
+fn data_of_a_cycle_can_be_assigned_after_its_definition() {
+    let deepest = |between: &str| {
+        let found = drilled(between);
+        assert!(found.problems.is_empty(), "{:?}", found.messages);
+        let at = |x: f64| {
+            let own = found.ends.iter().filter(|end| end[0] == x).map(|end| end[2]);
+            own.fold(f64::INFINITY, f64::min)
+        };
+        [at(10.0), at(20.0)]
+    };
+    assert_eq!(deepest("Q201 = -18"), [-10.0, -18.0]);
+    assert_eq!(deepest("FN 0: Q203 = -5"), [-10.0, -15.0]);
+    // The value that was assigned counts, not the parameter that it came from.
+    assert_eq!(deepest("Q1 = -18"), [-10.0, -10.0]);
+}
+
+/// The signs of the turns of a cycle that is called once, with its spindle.
+fn turns(definition: &str, spindle: &str) -> Vec<f64> {
+    struct Turns(Vec<f64>);
+    impl Sink for Turns {
+        fn command(&mut self, command: &Command) {
+            self.0.extend(command.kind.shape().map(|shape| shape.sweep.signum()));
+        }
+
+        fn diagnostic(&mut self, diagnostic: Diagnostic) {
+            assert_ne!(diagnostic.severity, chordal::Severity::Error, "{}", diagnostic.message);
+        }
+    }
+    impl RunSink for Turns {}
+    let text = format!(
+        "BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F500\nL X+0 Y+0 Z+2 R0 FMAX {spindle}\n{definition}\n\
+         CYCL CALL\nM30\nEND PGM A MM\n"
+    );
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("a.h", text.into_bytes()));
+    let mut sink = Turns(Vec::new());
+    Job::new(sources, tool_10()).expect("settings").run(&mut sink);
+    assert!(!sink.0.is_empty(), "{definition}");
+    sink.0.dedup();
+    sink.0
+}
+
+#[test]
+fn pockets_and_bores_turn_as_programmed() {
+    let bore = |climb: i32| {
+        format!(
+            "CYCL DEF 208 Q200=2 Q201=-5 Q206=150 Q334=1 Q203=+0 Q204=20 Q335=30 Q342=0 Q351={climb}"
+        )
+    };
+    let pocket = |climb: i32| {
+        format!(
+            "CYCL DEF 252 Q215=0 Q223=40 Q368=0.2 Q207=500 Q351={climb} Q201=-5 Q202=5 Q369=0 Q206=150 Q338=0 \
+             Q200=2 Q203=+0 Q204=20 Q370=1 Q366=1 Q385=500"
+        )
+    };
+    for definition in [bore, pocket] {
+        assert_eq!(turns(&definition(1), "M3"), [1.0]);
+        assert_eq!(turns(&definition(-1), "M3"), [-1.0]);
+        assert_eq!(turns(&definition(1), "M4"), [-1.0]);
+    }
+    let old = |sign: &str| {
+        format!(
+            "CYCL DEF 5.0 CIRCULAR POCKET\nCYCL DEF 5.1 SET UP 2\nCYCL DEF 5.2 DEPTH -5\nCYCL DEF 5.3 PECKG 5 F100\n\
+             CYCL DEF 5.4 RADIUS 20\nCYCL DEF 5.5 F300 DR{sign}"
+        )
+    };
+    assert_eq!(turns(&old("+"), "M3"), [1.0]);
+    assert_eq!(turns(&old("-"), "M3"), [-1.0]);
+}
+
+#[test]
+fn patterns_run_old_cycles() {
+    let text = "BEGIN PGM A MM\nTOOL CALL 1 Z S1000\nL X+0 Y+0 Z+50 R0 FMAX M3\nCYCL DEF 1.0 PECKING\nCYCL DEF 1.1 SET UP 2\n\
+                CYCL DEF 1.2 DEPTH -10\nCYCL DEF 1.3 PECKG 10\nCYCL DEF 1.4 DWELL 0\nCYCL DEF 1.5 F200\n\
+                CYCL DEF 221 Q225=10 Q226=5 Q237=20 Q238=15 Q242=2 Q243=1 Q224=0 Q200=2 Q203=+0 Q204=30\nM30\nEND PGM A MM\n";
+    let found = run_on(tool_10(), "a.h", text);
+    assert!(found.problems.is_empty(), "{:?}", found.messages);
+    let holes: Vec<_> = found.ends.iter().filter(|end| end[2] == -10.0).map(|end| end[0]).collect();
+    assert_eq!(holes, [10.0, 30.0]);
+    assert_eq!(found.ends.last(), Some(&[30.0, 5.0, 30.0]));
+}
+
+/// A contour that a fuzzer has found: an arc at the end of what is not solved.
+#[test]
+fn half_a_free_contour_has_an_answer() {
+    let text = "BEGIN PGM A MM\nTOOL CALL 10 Z S3000\nL X+5 Y+5 Z+2 R0 FMAX M3\nFPOL X+50 Y+50\nFL X+5 Y+60 F400\n\
+                FL AN+0 LEN+20\nFL PR+30 PA+90\nFL X+70 AN-45\nFC DR- R10 X+60 Y+50 X+80 Y+90 Z+0\nTOOL CALL 10 Z S3000\n\
+                L Z+50 R0 FMAX M3\nFPOL X+50 Y+50\nFL X+5 Y+60 F400\nFL AN+0 LCCX+60 CCY+60\nFL X+65 Y+20\nFL AN+180\n\
+                FL X+5 Y+5 AN+225\nL Z+50 R0 FMAX\nM30\nEND PGM A MM\n";
+    assert!(!run("a.h", text).problems.is_empty());
+}
