@@ -10,6 +10,7 @@ mod alarms;
 mod blank_form;
 mod control;
 pub mod cycles;
+mod defined_tools;
 mod editing;
 pub mod geometry;
 mod recognition;
