@@ -265,7 +265,7 @@ fn tool_description(
     known: &BTreeMap<u32, KnownTool>,
 ) -> String {
     let name = tool_name(number, job);
-    let Some(KnownTool { tool, comment: Some(_) }) = known.get(&number) else { return name };
+    let Some(KnownTool { tool, comment: Some(_), .. }) = known.get(&number) else { return name };
     let named = job.machine().tools.get(&number).is_some_and(|tool| tool.label().is_some());
     let shape = tool.shape.filter(|_| !named).map_or("", ToolShape::as_str);
     let size =

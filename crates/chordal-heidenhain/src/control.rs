@@ -10,14 +10,15 @@ use chordal_kernel::rules::{
     OutsideCorner, RoundingRules, Rules, SideChange,
 };
 use chordal_kernel::{
-    ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet, ProgramWriter,
-    ProgrammingLanguage, RunOptions, SettingError,
+    ConfiguredControl, ControlCandidate, ControlProfile, DefinedTool, ProgramName, ProgramSet,
+    ProgramWriter, ProgrammingLanguage, RunOptions, SettingError,
 };
 use chordal_machine::{AXES, Body, ControlName, Machine, RapidShape};
 
 use crate::alarms::TEXTS_OF_CODES;
 use crate::blank_form::blank_form;
 use crate::datum_table::{is_datum_table, is_preset_table, take_preset_table};
+use crate::defined_tools::defined_tools;
 use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
@@ -130,6 +131,10 @@ impl ConfiguredControl for HeidenhainControl {
         blank_form(text)
     }
 
+    fn defined_tools(&self, text: &[u8]) -> Vec<DefinedTool> {
+        defined_tools(text)
+    }
+
     fn program_writer(&self) -> Option<Box<dyn ProgramWriter + '_>> {
         Some(Box::new(KlartextWriter::new(self.settings)))
     }
@@ -163,7 +168,7 @@ impl ProgrammingLanguage for HeidenhainLanguage {
         let mut refused = Vec::new();
         for (name, entry) in &machine.settings {
             if let Err(message) = settings.take(name, &entry.value) {
-                let help = "it has MP7431, label_nesting, unset_parameter, positive_depth, peck_stop_mm and free_contour_order";
+                let help = "it has MP7431, label_nesting, unset_parameter, positive_depth, peck_stop_mm, free_contour_order and projected_angle";
                 refused.push(SettingError { name: name.clone(), message, help: Some(help.into()) });
             }
         }

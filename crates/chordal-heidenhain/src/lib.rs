@@ -11,6 +11,7 @@ mod blank_form;
 mod control;
 pub mod cycles;
 mod datum_table;
+mod defined_tools;
 mod editing;
 pub mod geometry;
 mod recognition;

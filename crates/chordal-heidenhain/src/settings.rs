@@ -19,6 +19,8 @@ pub struct HeidenhainSettings {
     pub peck_stop_mm: Option<f64>,
     /// `free_contour_order`: in which order the solutions of free contours have their numbers.
     pub free_contour_order: FreeSolutionOrder,
+    /// `projected_angle`: with a positive PROPR the plane of PLANE PROJECTED rises along X; otherwise it falls.
+    pub projected_plane_rises: bool,
 }
 
 impl HeidenhainSettings {
@@ -30,6 +32,7 @@ impl HeidenhainSettings {
         positive_depth_is_error: true,
         peck_stop_mm: Some(0.2),
         free_contour_order: FreeSolutionOrder::Turning,
+        projected_plane_rises: true,
     };
 
     /// Takes a setting of a machine file.
@@ -78,6 +81,11 @@ impl HeidenhainSettings {
             }
             ("free_contour_order", ..) => {
                 return Err("free_contour_order is \"turning\" or \"along\"".into());
+            }
+            ("projected_angle", _, Some("rising")) => self.projected_plane_rises = true,
+            ("projected_angle", _, Some("falling")) => self.projected_plane_rises = false,
+            ("projected_angle", ..) => {
+                return Err("projected_angle is \"rising\" or \"falling\"".into());
             }
             _ => return Err(format!("this control has no setting {name} here")),
         }

@@ -406,6 +406,18 @@ impl Kernel<'_> {
                 return Err(error);
             }
         };
+        self.turn_to_angles(holds_tip, &angles)
+    }
+
+    /// The same to these program positions of A, B and C, rad.
+    ///
+    /// # Errors
+    /// [`TurnError::NoPlane`] where no tilted plane is in force.
+    pub fn turn_to_angles(&mut self, holds_tip: bool, angles: &[f64; 3]) -> Result<(), TurnError> {
+        let is_plane = self.state.has_tilted_plane;
+        let Some(frame) = self.state.part_frame.clone().filter(|_| is_plane) else {
+            return Err(TurnError::NoPlane);
+        };
         let paused = match holds_tip {
             true => {
                 self.set_part_frame(true, Some(frame.plane));
@@ -490,6 +502,32 @@ impl Kernel<'_> {
     pub fn rotary_of_direction(&self, direction: Vec3) -> Result<[f64; 3], TurnError> {
         let frame = self.state.part_frame.as_ref().ok_or(TurnError::NoPlane)?;
         self.angles_of_direction(frame, direction, None)
+    }
+
+    /// The program positions of A, B and C, rad, with which the tool stands upright on the tilted plane; `sign` is that of
+    /// the axis nearer to the tool, where the program chooses it.
+    ///
+    /// # Errors
+    /// See [`TurnError`].
+    pub fn rotary_of_plane(&self, sign: Option<AngleSign>) -> Result<[f64; 3], TurnError> {
+        let frame = self.state.part_frame.as_ref().ok_or(TurnError::NoPlane)?;
+        self.angles_of_direction(frame, Vec3::Z, sign)
+    }
+
+    /// X, Y and Z of the tool on the part as it lies with the tables at zero, when the rotary axes are at these program
+    /// positions of A, B and C, rad: the axes of the machine, turned by the heads and seen from the tables.
+    ///
+    /// # Errors
+    /// [`TurnError::NoKinematics`] where the machine file does not give the rotary axes.
+    pub fn tool_axes_at(&self, angles: &[f64; 3]) -> Result<[Vec3; 3], TurnError> {
+        let chain = self.rotary_chain().map_err(TurnError::NoKinematics)?;
+        let (mut place, offsets) = (self.state.axis_position(), self.state.program_offsets());
+        place[3..].copy_from_slice(angles);
+        let level = self.part_frame_of(Some(chain), false, Transform::identity());
+        let on_part = level.machine_axes(&place, &offsets);
+        let joints = offsets.angles(&place);
+        let turned = |axis| on_part.apply_vector(chain.tool_on_heads(&joints, axis));
+        Ok([Vec3::X, Vec3::Y, Vec3::Z].map(turned))
     }
 
     /// The largest angle between the tool and the plane of its directions before and after a turn of the rotary axes to

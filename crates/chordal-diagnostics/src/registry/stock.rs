@@ -74,9 +74,11 @@ F in this block, or let `chordal optimize` do it."#;
 Feed faster, or leave more material for this pass."#;
 
     AssumedShape = 634, "assumed-shape", Note;
-    "a dimension of a tool was assumed";
+    "the shape or a dimension of a tool was assumed";
     r#"A drill without `point_angle` has the point of a twist drill, 118°. Give the angle in the machine or setup file, or
-in the program's comments, if it has another one."#;
+in the program's comments, if it has another one. A tool that a HEIDENHAIN program defines itself (TOOL DEF with R) and whose
+shape no machine file and no comment gives is a cylinder of this radius, with edges as long as L. Give `shape` and its
+dimensions in the machine or setup file if it is a ball or bull nose mill or a drill."#;
 
     GrooveRidge = 640, "groove-ridge", Warning;
     "a ridge is left between two grooving plunges";

@@ -3,12 +3,12 @@
 use chordal_command::AxisMask;
 use chordal_diagnostics::{Code, TextRange};
 use chordal_geometry::{Frame, Transform, Vec3};
-use chordal_kernel::frames::plane_forms;
+use chordal_kernel::frames::{plane_forms, sin_cos_degrees};
 use chordal_kernel::{AngleSign, TurnError};
 
 use super::interpreter::KlartextInterpreter;
 use super::transformations::CoordinateChain;
-use crate::syntax::{OperandWord, PlaneForm, PlanePositioning, PlaneWords};
+use crate::syntax::{AXIS_WORDS, OperandWord, PlaneForm, PlanePositioning, PlaneWords};
 
 /// A vector, or its part across another one, that is shorter has no direction.
 const LEAST_LENGTH: f64 = 1e-9;
@@ -29,6 +29,35 @@ fn vector_rotation(base: Vec3, normal: Vec3) -> Option<Transform> {
     Frame::from_normal(Vec3::ZERO, normal, base).map(Transform::from_frame)
 }
 
+/// The rotation of a plane through two lines: in Z/X it rises by the first angle along X, in Y/Z by the second along Y. X is
+/// along the first, turned by the third angle about the normal; degrees.
+fn traces_rotation([main, minor, turn]: [f64; 3]) -> Transform {
+    let slope = |degrees: f64| {
+        let (sin, cos) = sin_cos_degrees(degrees);
+        sin / cos
+    };
+    let (first, second) = (Vec3::new(1.0, 0.0, slope(main)), Vec3::new(0.0, 1.0, slope(minor)));
+    let level = vector_rotation(first, first.cross(second)).unwrap_or(Transform::identity());
+    Transform::rotation_about(Vec3::ZERO, Vec3::Z, turn.to_radians()).then(&level)
+}
+
+/// The rotary axes of a tilted plane.
+#[derive(Clone, Copy)]
+enum PlaneAngles {
+    /// They follow from the plane, with the sign of SEQ for the axis nearer to the tool.
+    Found(Option<AngleSign>),
+    /// The program gives them: program positions of A, B and C, rad.
+    Known([f64; 3]),
+}
+
+/// SEQ.
+fn sign_of(sequence: Option<bool>) -> Option<AngleSign> {
+    sequence.map(|is_positive| match is_positive {
+        true => AngleSign::Positive,
+        false => AngleSign::Negative,
+    })
+}
+
 impl KlartextInterpreter<'_> {
     /// PLANE.
     pub(super) fn plane(&mut self, words: &PlaneWords) {
@@ -37,50 +66,121 @@ impl KlartextInterpreter<'_> {
             let message = "PLANE has none of MOVE, TURN and STAY";
             return self.problem(Code::MissingWord, range, message);
         }
-        let rotation = match words.form {
-            PlaneForm::Reset => None,
+        if words.form == PlaneForm::Reset {
+            if self.has_rotary_axes(None, "PLANE") {
+                self.level(words.positioning);
+            }
+            return;
+        }
+        if words.form == PlaneForm::Axial {
+            return self.axial_plane(words);
+        }
+        let Some(rotation) = self.rotation_of_plane(words) else { return };
+        if self.has_rotary_axes(Some(&rotation), "PLANE") {
+            self.tilt(&rotation, words.positioning, PlaneAngles::Found(sign_of(words.sequence)));
+        }
+    }
+
+    /// The rotation of a plane; `None` where a word is missing or wrong, which is reported.
+    fn rotation_of_plane(&mut self, words: &PlaneWords) -> Option<Transform> {
+        match words.form {
             PlaneForm::Spatial => {
-                let angles = words.angles.map(|word| self.plane_value(word));
-                let [Some(a), Some(b), Some(c)] = angles else {
-                    let message = "PLANE SPATIAL lacks one of SPA, SPB and SPC";
-                    return self.problem(Code::MissingWord, range, message);
-                };
-                Some(spatial_rotation([a, b, c]))
+                let message = "PLANE SPATIAL lacks one of SPA, SPB and SPC";
+                Some(spatial_rotation(self.plane_angles(words.angles, message)?))
             }
             PlaneForm::Euler => {
-                let angles = words.euler.map(|word| self.plane_value(word));
-                let [Some(precession), Some(nutation), Some(rotation)] = angles else {
-                    let message = "PLANE EULER lacks one of EULPR, EULNU and EULROT";
-                    return self.problem(Code::MissingWord, range, message);
-                };
-                Some(plane_forms::euler([precession, nutation, rotation].map(f64::to_radians)))
+                let message = "PLANE EULER lacks one of EULPR, EULNU and EULROT";
+                let angles = self.plane_angles(words.euler, message)?;
+                Some(plane_forms::euler(angles.map(f64::to_radians)))
             }
-            PlaneForm::Points => match self.rotation_of_points(words) {
-                Some(rotation) => Some(rotation),
-                None => return,
-            },
+            PlaneForm::Projected => self.rotation_of_traces(words),
+            PlaneForm::Points => self.rotation_of_points(words),
             PlaneForm::Relative => Some(self.rotation_in_plane(words)),
             PlaneForm::Vector => {
                 let [base, normal] = [words.base, words.normal]
                     .map(|vector| vector.map(|word| self.plane_value(word).unwrap_or(0.0)))
                     .map(Vec3::from_array);
-                let Some(rotation) = vector_rotation(base, normal) else {
+                let found = vector_rotation(base, normal);
+                if found.is_none() {
                     let message = "the vectors of PLANE are parallel, or one of them is zero";
-                    return self.problem(Code::TiltedPlane, range, message);
-                };
-                Some(rotation)
+                    self.problem(Code::TiltedPlane, self.here, message);
+                }
+                found
             }
-            PlaneForm::Other => {
+            PlaneForm::Axial | PlaneForm::Reset | PlaneForm::Other => {
                 let what = "this form of PLANE is not followed";
-                return self.not_followed_once("PLANE", range, what);
+                self.not_followed_once("PLANE", self.here, what);
+                None
             }
-        };
-        if !self.has_rotary_axes(rotation.as_ref(), "PLANE") {
-            return;
         }
-        match rotation {
-            Some(rotation) => self.tilt(&rotation, words.positioning, words.sequence),
-            None => self.level(words.positioning),
+    }
+
+    /// Three angles that must all be there, degrees.
+    fn plane_angles(&mut self, words: [Option<OperandWord>; 3], missing: &str) -> Option<[f64; 3]> {
+        let [Some(first), Some(second), Some(third)] = words.map(|word| self.plane_value(word))
+        else {
+            self.problem(Code::MissingWord, self.here, missing);
+            return None;
+        };
+        Some([first, second, third])
+    }
+
+    /// PLANE PROJECTED (iTNC 530, 12.3): the plane goes through two lines, in Z/X and in Y/Z, that rise by the angles. X is
+    /// along the first, turned by ROT.
+    fn rotation_of_traces(&mut self, words: &PlaneWords) -> Option<Transform> {
+        let message = "PLANE PROJECTED lacks one of PROPR, PROMIN and ROT";
+        let [main, minor, turn] = self.plane_angles(words.projected, message)?;
+        for (name, angle) in [("PROPR", main), ("PROMIN", minor)] {
+            if angle.abs() >= 90.0 {
+                let message = format!("{name} is {angle} degrees");
+                let help = "the angles of PLANE PROJECTED are between -90 and 90 degrees";
+                self.bad_value(self.here, message, help);
+                return None;
+            }
+        }
+        let main = if self.programs.settings.projected_plane_rises { main } else { -main };
+        if main != 0.0 && minor != 0.0 {
+            // Manuals show X and Y of such a plane in a picture alone.
+            let what = "X of PLANE PROJECTED is assumed to lie in Z/X before ROT";
+            self.assumed_once("PLANE PROJECTED", self.here, what);
+        }
+        Some(traces_rotation([main, minor, turn]))
+    }
+
+    /// PLANE AXIAL: the plane on which the tool stands upright when the rotary axes are at positions. An axis without a
+    /// word stays where it is.
+    fn axial_plane(&mut self, words: &PlaneWords) {
+        let axes = self.programs.control.axes();
+        let place = self.programmed();
+        let mut angles = [place[3], place[4], place[5]];
+        let mut has_word = false;
+        for (axis, word) in words.axial.into_iter().enumerate() {
+            let Some(word) = word else { continue };
+            has_word = true;
+            if !axes.has(axis + 3) {
+                let letter = AXIS_WORDS[axis + 3];
+                let message =
+                    format!("PLANE AXIAL names {letter}, which this machine does not have");
+                return self.problem(Code::NoSuchAxis, word.range, message);
+            }
+            let Some(value) = self.plane_value(Some(word)) else { return };
+            let from = if word.is_incremental { angles[axis] } else { 0.0 };
+            angles[axis] = from + value.to_radians();
+        }
+        if !has_word {
+            let message = "PLANE AXIAL lacks an angle A, B or C";
+            return self.problem(Code::MissingWord, self.here, message);
+        }
+        match self.kernel.tool_axes_at(&angles) {
+            Ok([x, _, z]) => {
+                // The axes do not follow a rotation of the coordinates, which the plane would.
+                let outside = self.modes.outside_plane.as_ref().unwrap_or(&self.modes.chain);
+                let back = outside.rigid_map().unwrap_or(Transform::identity()).inverse();
+                let [x, z] = [x, z].map(|axis| back.apply_vector(axis));
+                let Some(rotation) = vector_rotation(x, z) else { return };
+                self.tilt(&rotation, words.positioning, PlaneAngles::Known(angles));
+            }
+            Err(error) => self.report_turn(error),
         }
     }
 
@@ -132,7 +232,10 @@ impl KlartextInterpreter<'_> {
         }
         match is_off {
             true => self.level(Some(PlanePositioning::Stay)),
-            false => self.tilt(&rotation, Some(PlanePositioning::Stay), None),
+            false => {
+                let angles = PlaneAngles::Found(None);
+                self.tilt(&rotation, Some(PlanePositioning::Stay), angles);
+            }
         }
     }
 
@@ -160,7 +263,7 @@ impl KlartextInterpreter<'_> {
         &mut self,
         rotation: &Transform,
         positioning: Option<PlanePositioning>,
-        sequence: Option<bool>,
+        angles: PlaneAngles,
     ) {
         let range = self.here;
         let outside = match self.modes.outside_plane.take() {
@@ -176,20 +279,11 @@ impl KlartextInterpreter<'_> {
         self.modes.chain = CoordinateChain::default();
         self.update_frame();
         self.kernel.set_tilted_plane(Some(rotation.then(&map)));
-        let sign = sequence.map(|is_positive| match is_positive {
-            true => AngleSign::Positive,
-            false => AngleSign::Negative,
-        });
-        let turned = match positioning {
-            Some(PlanePositioning::Stay) | None => {
-                if sign.is_some() {
-                    let what = "SEQ with STAY is not followed: Q120 to Q122 are those without it";
-                    self.not_followed_once("SEQ", range, what);
-                }
-                self.set_plane_parameters()
-            }
-            Some(PlanePositioning::Turn) => self.kernel.turn_to_plane(false, sign),
-            Some(PlanePositioning::Move) => self.kernel.turn_to_plane(true, sign),
+        let holds_tip = positioning == Some(PlanePositioning::Move);
+        let turned = match (positioning, angles) {
+            (Some(PlanePositioning::Stay) | None, angles) => self.set_plane_parameters(angles),
+            (_, PlaneAngles::Found(sign)) => self.kernel.turn_to_plane(holds_tip, sign),
+            (_, PlaneAngles::Known(angles)) => self.kernel.turn_to_angles(holds_tip, &angles),
         };
         if let Err(error) = turned {
             self.report_turn(error);
@@ -197,8 +291,11 @@ impl KlartextInterpreter<'_> {
     }
 
     /// Q120 to Q122: the positions of A, B and C that the plane needs, degrees.
-    fn set_plane_parameters(&mut self) -> Result<(), TurnError> {
-        let angles = self.kernel.rotary_of_direction(Vec3::Z)?;
+    fn set_plane_parameters(&mut self, angles: PlaneAngles) -> Result<(), TurnError> {
+        let angles = match angles {
+            PlaneAngles::Found(sign) => self.kernel.rotary_of_plane(sign)?,
+            PlaneAngles::Known(angles) => angles,
+        };
         for (number, angle) in (120..=122).zip(angles) {
             self.parameters.set_shared(number, angle.to_degrees());
         }
@@ -346,6 +443,26 @@ mod tests {
         let (along, aside) = (Vec3::new(0.0, 5.0, 0.0), Vec3::new(-cos, 3.0, sin));
         let points = vector_rotation(along, along.cross(aside));
         assert_same(&spatial, &points.expect("a rotation"));
+    }
+
+    #[test]
+    fn traces_rise_by_their_angles() {
+        // One angle alone is a rotation about Y or X.
+        assert_same(&traces_rotation([0.0, 40.0, 0.0]), &spatial_rotation([40.0, 0.0, 0.0]));
+        assert_same(&traces_rotation([25.0, 0.0, 0.0]), &spatial_rotation([0.0, -25.0, 0.0]));
+        let rotation = traces_rotation([20.0, 30.0, 0.0]);
+        let normal = rotation.apply_vector(Vec3::Z);
+        for line in [
+            Vec3::new(20_f64.to_radians().cos(), 0.0, 20_f64.to_radians().sin()),
+            Vec3::new(0.0, 30_f64.to_radians().cos(), 30_f64.to_radians().sin()),
+        ] {
+            assert!(line.dot(normal).abs() < 1e-12, "{normal:?}");
+        }
+        assert!(rotation.apply_vector(Vec3::X).y.abs() < 1e-12);
+        // ROT turns X and Y in the plane.
+        let turned = traces_rotation([20.0, 30.0, 90.0]);
+        let off = turned.apply_vector(Vec3::X) - rotation.apply_vector(Vec3::Y);
+        assert!(off.length() < 1e-12);
     }
 
     #[test]

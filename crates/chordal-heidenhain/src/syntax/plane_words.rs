@@ -12,6 +12,8 @@ pub fn plane_words(cursor: &mut TokenCursor<'_>) -> PlaneWords {
     let form = match cursor.peek_word() {
         Some("SPATIAL") => PlaneForm::Spatial,
         Some("EULER") => PlaneForm::Euler,
+        Some("PROJECTED") => PlaneForm::Projected,
+        Some("AXIAL") => PlaneForm::Axial,
         Some("VECTOR") => PlaneForm::Vector,
         Some("POINTS") => PlaneForm::Points,
         Some("RELATIV") => PlaneForm::Relative,
@@ -22,6 +24,8 @@ pub fn plane_words(cursor: &mut TokenCursor<'_>) -> PlaneWords {
         form,
         angles: [None; 3],
         euler: [None; 3],
+        projected: [None; 3],
+        axial: [None; 3],
         points: [[None; 3]; 3],
         base: [None; 3],
         normal: [None; 3],
@@ -37,10 +41,18 @@ pub fn plane_words(cursor: &mut TokenCursor<'_>) -> PlaneWords {
             "TURN" => words.positioning = Some(PlanePositioning::Turn),
             "STAY" => words.positioning = Some(PlanePositioning::Stay),
             "SEQ" | "SYM" => words.sequence = sign(cursor),
+            // How the coordinates or the table turn where an axis is free.
+            "COORD" | "TABLE" => {
+                cursor.take_word("ROT");
+            }
             "P" => point_word(cursor, &mut words, token.range),
             name => {
+                let (name, is_incremental) = match name.strip_prefix('I') {
+                    Some(name) => (name, true),
+                    None => (name, false),
+                };
                 if let Some(place) = named_place(&mut words, name) {
-                    *place = cursor.operand_of(token.range, false);
+                    *place = cursor.operand_of(token.range, is_incremental);
                 }
             }
         }
@@ -63,6 +75,14 @@ fn named_place<'w>(words: &'w mut PlaneWords, name: &str) -> Option<&'w mut Opti
     }
     if let Some(index) = index(["EULPR", "EULNU", "EULROT"]) {
         return Some(&mut words.euler[index]);
+    }
+    if let Some(index) = index(["PROPR", "PROMIN", "ROT"]) {
+        return Some(&mut words.projected[index]);
+    }
+    if words.form == PlaneForm::Axial
+        && let Some(index) = index(["A", "B", "C"])
+    {
+        return Some(&mut words.axial[index]);
     }
     if let Some(index) = index(["BX", "BY", "BZ"]) {
         return Some(&mut words.base[index]);
@@ -114,6 +134,12 @@ mod tests {
         let points = words.points.map(|point| point.map(|word| number(word).expect("a number")));
         assert_eq!(points, [[0.0, 0.0, 20.0], [30.0, 31.0, 20.0], [0.0, 41.0, 32.5]]);
         assert_eq!(words.positioning, Some(PlanePositioning::Move));
+        let words =
+            read("PLANE PROJECTED PROPR+24 PROMIN-10 ROT+30 MOVE DIST50 F1000 SEQ+ TABLE ROT");
+        assert_eq!(words.projected.map(number), [Some(24.0), Some(-10.0), Some(30.0)]);
+        let words = read("PLANE AXIAL B+45 IC-90 TURN F2000");
+        assert_eq!(words.axial.map(number), [None, Some(45.0), Some(-90.0)]);
+        assert!(words.axial[2].is_some_and(|word| word.is_incremental));
         let words = read("PLANE RELATIV SPB-12 STAY");
         assert_eq!((words.form, number(words.angles[1])), (PlaneForm::Relative, Some(-12.0)));
     }

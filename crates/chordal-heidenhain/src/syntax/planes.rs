@@ -9,6 +9,10 @@ pub enum PlaneForm {
     Spatial,
     /// EULER: three angles, about Z, the new X and the new Z.
     Euler,
+    /// PROJECTED: the angles of its traces in the planes Z/X and Y/Z, and a rotation in the plane.
+    Projected,
+    /// AXIAL: positions of the rotary axes.
+    Axial,
     /// VECTOR: the new X axis and the new Z axis.
     Vector,
     /// POINTS: two points give the new X axis, a third one the side of Y.
@@ -41,6 +45,10 @@ pub struct PlaneWords {
     pub angles: [Option<OperandWord>; 3],
     /// EULPR, EULNU and EULROT, degrees.
     pub euler: [Option<OperandWord>; 3],
+    /// PROPR, PROMIN and ROT, degrees.
+    pub projected: [Option<OperandWord>; 3],
+    /// A, B and C of AXIAL, degrees.
+    pub axial: [Option<OperandWord>; 3],
     /// P1X to P3Z.
     pub points: [[Option<OperandWord>; 3]; 3],
     /// BX, BY and BZ.

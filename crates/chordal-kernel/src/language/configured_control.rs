@@ -5,7 +5,7 @@ use std::fmt;
 
 use chordal_command::{AxisMask, WorkName, WorkNaming};
 use chordal_diagnostics::{Code, SourceMap, TextRange};
-use chordal_machine::{Body, Machine, PerAxis};
+use chordal_machine::{Body, Machine, PerAxis, Tool};
 
 use super::program_set::ProgramSet;
 use super::program_writer::ProgramWriter;
@@ -39,6 +39,17 @@ impl ControlProfile {
     pub fn alarms(&self) -> Alarms {
         Alarms { title: self.title, texts: self.alarms }
     }
+}
+
+/// A tool that a program defines.
+#[derive(Clone, PartialEq, Debug)]
+pub struct DefinedTool {
+    /// Its number.
+    pub number: u32,
+    /// Its data. The program gives no shape: that of its data is assumed.
+    pub tool: Tool,
+    /// The block that defines it.
+    pub range: TextRange,
 }
 
 /// A control of some language, with the settings of one machine applied.
@@ -113,6 +124,11 @@ pub trait ConfiguredControl: fmt::Debug + Send + Sync {
     /// without one.
     fn defined_stock(&self, _text: &[u8]) -> Option<(Body, TextRange)> {
         None
+    }
+
+    /// The tools that a text defines in blocks of its own (TOOL DEF), with the shape that is assumed of them.
+    fn defined_tools(&self, _text: &[u8]) -> Vec<DefinedTool> {
+        Vec::new()
     }
 
     /// Writes programs for this control from what they do; `None` where programs of other languages are not converted

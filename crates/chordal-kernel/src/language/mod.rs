@@ -25,7 +25,7 @@ mod run_options;
 mod tokens;
 mod written_words;
 
-pub use configured_control::{ConfiguredControl, ControlProfile};
+pub use configured_control::{ConfiguredControl, ControlProfile, DefinedTool};
 pub use custom_codes::{CustomCode, ShopAnswer, ShopCall, ShopCodes, ShopRecord};
 pub use outcome::{CompletedRun, EndReason, Outcome};
 pub use posted_program::{

@@ -12,7 +12,7 @@ use chordal_path::{PathCommand, Segment, SegmentKind, depth_mm};
 use chordal_stock::{TipMove, ToolTurn};
 
 use super::passed_heights::{VisitedPlaces, is_upright};
-use super::problems::{assumed_point_angle, not_cut};
+use super::problems::{assumed_dimensions, not_cut};
 use super::tools::{NoBody, ToolBody};
 use super::turns::{self, PartOrientation};
 use crate::job::Job;
@@ -406,10 +406,12 @@ impl<'a> StockMoves<'a> {
             count.1 = count.1.min(segment.curve.bounds().min.z);
             if !self.order.contains(&segment.tool) {
                 self.order.push(segment.tool);
-                if let Some(Ok(body)) = self.tools.get(&segment.tool)
-                    && body.has_assumed_point_angle
-                {
-                    self.diagnostics.push(assumed_point_angle(&segment.origin, segment.tool));
+                if let Some(Ok(body)) = self.tools.get(&segment.tool) {
+                    self.diagnostics.extend(assumed_dimensions(
+                        body,
+                        &segment.origin,
+                        segment.tool,
+                    ));
                 }
             }
         }

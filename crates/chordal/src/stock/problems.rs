@@ -5,6 +5,8 @@ use chordal_diagnostics::{Code, Diagnostic, SourceMap};
 use chordal_geometry::Vec3;
 use chordal_stock::{ContactDepth, TouchAnswer, VolumeInterval};
 
+use super::tools::ToolBody;
+
 /// A touch, or one that cannot be excluded.
 #[derive(Clone, Debug, PartialEq)]
 pub struct StockProblem {
@@ -36,6 +38,22 @@ pub(super) fn not_cut(code: Code, origin: &Origin, tool: u32, why: &str) -> Diag
         )
     };
     Diagnostic::new(code, origin.span, message).help(help)
+}
+
+/// What was assumed of a tool, at its first cut or where the program defines it.
+pub(super) fn assumed_dimensions(
+    body: &ToolBody,
+    origin: &Origin,
+    tool: u32,
+) -> impl Iterator<Item = Diagnostic> + use<> {
+    let angle = body.has_assumed_point_angle.then(|| assumed_point_angle(origin, tool));
+    let shape = body.assumed_by.map(|span| {
+        let diameter = (2.0 * body.cutter.radius() * 1000.0).round() / 1000.0;
+        let message = format!("the shape of tool {tool} is not given: a cylinder of {diameter} mm is taken");
+        Diagnostic::new(Code::AssumedShape, span, message)
+            .help(format!("give `[tools.{tool}] shape` with its dimensions in the setup or machine file, if it has another one"))
+    });
+    angle.into_iter().chain(shape)
 }
 
 /// The diagnostic for a drill whose point angle nobody gives.

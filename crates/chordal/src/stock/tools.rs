@@ -2,13 +2,14 @@
 
 use std::collections::BTreeMap;
 
+use chordal_diagnostics::Span;
 use chordal_machine::{Cutter as Shape, HolderSegment, Tool, ToolShape};
 use chordal_stock::{AxialSolid, CutterError, CutterProfile, Undercut};
 
 use super::inside::{CutterDimensions, InnerCutter};
 use super::teeth::{ThreadMillTeeth, core};
 use crate::job::Job;
-use crate::tool_comments::known_tools;
+use crate::tool_comments::{KnownTool, known_tools};
 
 /// The length that is taken for a shank of unknown length, mm: longer than any.
 pub(super) const UNKNOWN_SHANK_MM: f64 = 1000.0;
@@ -26,6 +27,8 @@ pub(super) struct ToolBody {
     dimensions: CutterDimensions,
     /// A drill whose point angle nobody gives.
     pub has_assumed_point_angle: bool,
+    /// The block of the program that defines it, where its shape is assumed.
+    pub assumed_by: Option<Span>,
     /// Pieces above the edges, the lowest first, each with its height above the tip, mm.
     pub shank: Vec<ShankPiece>,
     pub holder: Vec<ShankPiece>,
@@ -122,7 +125,10 @@ pub(super) fn lacking(shape: ToolShape, missing: &[&str]) -> String {
 
 /// The tools that a program may use, by number.
 pub(super) fn tools_of(job: &Job) -> BTreeMap<u32, Result<ToolBody, NoBody>> {
-    known_tools(job).into_iter().map(|(number, known)| (number, body_of(&known.tool))).collect()
+    let body = |known: KnownTool| {
+        body_of(&known.tool).map(|body| ToolBody { assumed_by: known.assumed, ..body })
+    };
+    known_tools(job).into_iter().map(|(number, known)| (number, body(known))).collect()
 }
 
 fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
@@ -143,6 +149,7 @@ fn body_of(tool: &Tool) -> Result<ToolBody, NoBody> {
         undercuts,
         dimensions,
         has_assumed_point_angle: tool.has_assumed_point_angle(),
+        assumed_by: None,
         shank: Vec::new(),
         holder: Vec::new(),
     };
@@ -249,6 +256,7 @@ pub(super) fn body_for_tests(cutter: CutterProfile, holder: Option<[f64; 3]>) ->
         undercuts: Vec::new(),
         dimensions,
         has_assumed_point_angle: false,
+        assumed_by: None,
         shank: Vec::new(),
         holder,
     }

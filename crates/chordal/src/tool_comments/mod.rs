@@ -18,6 +18,7 @@ use std::collections::BTreeMap;
 use chordal_command::Units;
 use chordal_diagnostics::{Code, Diagnostic, FileId, Span};
 use chordal_dialect::{Control, code_number};
+use chordal_kernel::DefinedTool;
 use chordal_machine::{HolderDesignation, InsertDesignation, InsertLetter, Tool, ToolShape};
 use chordal_syntax::{Block, BlockReader};
 
@@ -110,12 +111,15 @@ pub struct KnownTool {
     pub tool: Tool,
     /// The comment from which something was taken; `None` without one.
     pub comment: Option<Span>,
+    /// The block of the program that defines it, where its shape was assumed because neither the block nor anything else
+    /// says it (TOOL DEF).
+    pub assumed: Option<Span>,
 }
 
 /// Every tool of the machine file and of the comments of the program. The machine file has precedence: a comment
 /// gives only what it leaves open. Diameter and shape of a tool come from one source.
 pub fn known_tools(job: &Job) -> BTreeMap<u32, KnownTool> {
-    let known = |tool: &Tool| KnownTool { tool: tool.clone(), comment: None };
+    let known = |tool: &Tool| KnownTool { tool: tool.clone(), comment: None, assumed: None };
     let mut tools: BTreeMap<u32, KnownTool> =
         job.machine().tools.iter().map(|(number, tool)| (*number, known(tool))).collect();
     for (commented, span) in commented_tools(job) {
@@ -128,7 +132,29 @@ pub fn known_tools(job: &Job) -> BTreeMap<u32, KnownTool> {
             tool.comment = Some(span);
         }
     }
+    assume_shapes(job, &mut tools);
     tools
+}
+
+/// Gives the tools that the program itself defines the shape that is assumed of them, where nothing else says it.
+fn assume_shapes(job: &Job, tools: &mut BTreeMap<u32, KnownTool>) {
+    let text = job.sources().get(FileId(0)).map(|source| source.text());
+    let defined = text.map(|text| job.configured_control().defined_tools(text));
+    for DefinedTool { number, tool, range } in defined.into_iter().flatten() {
+        let known = tools.entry(number).or_insert_with(|| KnownTool {
+            tool: Tool::default(),
+            comment: None,
+            assumed: None,
+        });
+        if known.tool.shape.is_some() {
+            continue;
+        }
+        // The radius of the block is that of the run.
+        known.tool.diameter_mm = tool.diameter_mm;
+        known.tool.shape = tool.shape;
+        known.tool.flute_length_mm = known.tool.flute_length_mm.or(tool.flute_length_mm);
+        known.assumed = Some(range.in_file(FileId(0)));
+    }
 }
 
 /// Comments of a lathe program that contradict the machine file, or themselves.
