@@ -120,6 +120,9 @@ pub enum CommandKind {
     CornerMode {
         /// They meet as far as the control lets them.
         meets: bool,
+        /// Inside corners are open: the tool goes past the corner to the end of its element, and from there to the start
+        /// of the next (HEIDENHAIN M98).
+        opens: bool,
     },
     /// A block without motion, emitted while compensation is on: controls limit how many may follow each other.
     Idle,

@@ -323,9 +323,10 @@ fn state(object: &mut JsonObject, kind: &CommandKind) {
             object.optional("radius", *radius_mm);
         }
         CommandKind::CornerArc { .. } => object.word("kind", "corner_arc"),
-        CommandKind::CornerMode { meets } => {
+        CommandKind::CornerMode { meets, opens } => {
             object.word("kind", "corner_mode");
             object.boolean("meets", *meets);
+            object.boolean("opens", *opens);
         }
         CommandKind::Spindle { state, rpm } => {
             object.word("kind", "spindle");

@@ -469,3 +469,39 @@ fn contours_are_shifted_turned_and_mirrored_with_the_coordinates() {
     placed("CYCL DEF 10.0\nCYCL DEF 10.1 ROT+90", &|[x, y]| [y, -x]);
     placed("CYCL DEF 8.0\nCYCL DEF 8.1 X", &|[x, y]| [-x, y]);
 }
+
+#[test]
+fn contours_in_patterns_are_said() {
+    let data = "CYCL DEF 14.0\nCYCL DEF 14.1 CONTOUR LABEL1\nCYCL DEF 20 Q1=-9 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0 Q9=1\n\
+        CYCL DEF 23 Q11=100 Q12=500\nCYCL DEF 220 Q216=0 Q217=0 Q244=20 Q241=3 Q246=360";
+    let record = run(data, POCKET, 3.0);
+    assert!(errors(&record).iter().any(|own| own.contains("in a pattern is not followed")));
+}
+
+/// The same pocket in the words of DIN/ISO programs.
+const ISO: &str = "%T G71 *\nN10 G99 T1 L+0 R+3 *\nN20 T1 G17 S1000 *\nN30 G00 G40 G90 Z+90 M3 *\nN40 X-40 Y-30 *\n\
+    N50 G37 P01 1 P02 2 *\n\
+    N60 G120 Q1=-5 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0 Q9=1 *\nN70 G124 Q9=1 Q10=5 Q11=111 Q12=444 Q14=0 *\nN80 G79 *\n\
+    N90 M30 *\nN100 G98 L1 *\nN110 G01 G41 X+50 Y+0 *\nN120 X+100 *\nN130 G25 R8 *\nN140 Y+60 *\nN150 G24 R10 *\n\
+    N160 X+0 *\nN170 G25 R8 *\nN180 G91 Y-60 *\nN190 G25 R8 *\nN200 X+50 *\nN210 G98 L0 *\n\
+    N220 G98 L2 *\nN230 G90 I+30 J+30 *\nN240 G01 G90 G42 X+40 Y+30 *\nN250 G03 X+40 Y+30 *\nN260 G98 L0 *\nN999 %T G71 *\n";
+
+#[test]
+fn contours_of_din_iso_programs_are_the_same() {
+    let mut machine = Machine::from_builtin("heidenhain-mill").expect("a built-in machine");
+    machine.axes.iter_mut().flatten().for_each(|axis| axis.travel = Some((-10_000.0, 10_000.0)));
+    machine.work_offsets.entry("G54".to_string()).or_default().values = [Some(0.0); 6];
+    let mut sources = SourceMap::new();
+    sources.add(Source::new("T.I", ISO.as_bytes().to_vec()));
+    let mut iso = Record::default();
+    Job::new(sources, machine).expect("a job").run(&mut iso);
+    assert!(errors(&iso).is_empty(), "{:?}", errors(&iso));
+    let cycles = "CYCL DEF 14.0\nCYCL DEF 14.1 CONTOUR LABEL1 /2\nCYCL DEF 20 Q1=-5 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0 Q9=1\n\
+        CYCL DEF 24 Q9=1 Q10=5 Q11=111 Q12=444 Q14=0";
+    let own = run(cycles, POCKET, 3.0);
+    assert_eq!(iso.seen.len(), own.seen.len());
+    for (a, b) in iso.seen.iter().zip(&own.seen) {
+        let (a, b) = (a.to().expect("a move"), b.to().expect("a move"));
+        assert!((0..3).all(|axis| (a[axis] - b[axis]).abs() < 1e-6), "{a:?} {b:?}");
+    }
+}

@@ -10,3 +10,5 @@ mod shapes;
 mod shop;
 #[path = "heidenhain_cycles/surfaces.rs"]
 mod surfaces;
+#[path = "heidenhain_cycles/threads.rs"]
+mod threads;

@@ -36,17 +36,22 @@ impl KlartextInterpreter<'_> {
     }
 
     /// M97 after the move of its block: the outside corner at its end is passed without an arc, which lets the tool into
-    /// small steps.
+    /// small steps. M98: the inside corner at its end is open, and is cut to the ends of both elements (TNC 620 81760x-02
+    /// p. 370).
     pub(super) fn set_corner_mode(&mut self, words: &PathWords) {
-        let meets = words.functions.iter().any(|function| function.number == 97);
+        let has = |number: u32| words.functions.iter().any(|function| function.number == number);
+        let (meets, opens) = (has(97), has(98));
         // A corner is made when the move after it is known, so that the mode stays for one move more.
-        if meets != self.modes.meets_corner {
-            self.modes.meets_corner = meets;
-            self.kernel.emit(CommandKind::CornerMode { meets });
+        if (meets, opens) != (self.modes.meets_corner, self.modes.opens_corner) {
+            (self.modes.meets_corner, self.modes.opens_corner) = (meets, opens);
+            self.kernel.emit(CommandKind::CornerMode { meets, opens });
         }
-        if let Some(function) = words.functions.iter().find(|function| function.number == 98) {
-            let what = "M98 cuts an open corner to its end; here the corner is passed as any other";
-            self.assumed_once("M98", function.range, what);
+        if opens && self.is_first_report("M98") {
+            let message = "after M98 the manuals do not give the path from the end of this element to the next: it is assumed";
+            let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
+            let help =
+                "both elements are cut to their ends; the tool goes straight from one to the other";
+            self.kernel.report(diagnostic.help(help));
         }
     }
 

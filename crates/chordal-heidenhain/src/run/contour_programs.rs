@@ -56,13 +56,15 @@ enum ContourCorner {
 impl KlartextInterpreter<'_> {
     /// A line of cycle 14: the labels of the contours.
     pub(super) fn contour_labels(&mut self, line: u32, rest: TextRange) {
-        if line == 0 {
-            return self.modes.contour_labels.clear();
+        // A second line goes on with the labels of the first.
+        if line <= 1 {
+            self.modes.contour_labels.clear();
         }
-        let text = String::from_utf8_lossy(rest.slice(self.text())).into_owned();
-        let numbers = text.split(|letter: char| !letter.is_ascii_digit());
-        let labels = numbers.filter_map(|number| number.parse::<u32>().ok());
-        self.modes.contour_labels.extend(labels.map(KlartextLabel::Number));
+        if line == 0 {
+            return;
+        }
+        let labels = label_numbers(rest.slice(self.text()));
+        self.modes.contour_labels.extend(labels.into_iter().map(KlartextLabel::Number));
         if self.modes.contour_labels.len() > MAX_CONTOURS {
             let count = self.modes.contour_labels.len();
             let message = format!("cycle 14 names {count} contours; {MAX_CONTOURS} are possible");
@@ -175,8 +177,10 @@ impl KlartextInterpreter<'_> {
     /// The contours of labels; `None` if one cannot be read, which is reported.
     fn read_contours(&mut self, labels: &[KlartextLabel]) -> Option<Vec<LabelContour>> {
         let (kept, here) = (self.modes.contour.clone(), self.here);
+        let kept_modes = self.modes.iso.clone();
         let contours = labels.iter().map(|label| self.read_contour(label)).collect();
         self.modes.contour = kept;
+        self.modes.iso = kept_modes;
         self.here = here;
         contours
     }
@@ -226,13 +230,7 @@ impl KlartextInterpreter<'_> {
             KlartextStatement::Path(function, words) => {
                 self.contour_path(*function, words, reading)
             }
-            KlartextStatement::Center(words) => {
-                let values = self.values(words)?;
-                let mut place: Position = self.programmed();
-                place[..3].copy_from_slice(&reading.at);
-                self.place_center(&values, &place, &mut reading.memory);
-                Some(())
-            }
+            KlartextStatement::Center(words) => self.contour_center(words, reading),
             KlartextStatement::Rounding(words) => {
                 let size = words.radius?;
                 let radius = self.operand(size.value, size.range)? * unit;
@@ -244,6 +242,16 @@ impl KlartextInterpreter<'_> {
                 let leg = self.operand(size.value, size.range)? * unit;
                 reading.corner = (leg > 0.0).then_some(ContourCorner::Chamfer(leg));
                 Some(())
+            }
+            KlartextStatement::Iso(words) => {
+                let words = self.iso_words(words);
+                if words.center.iter().any(Option::is_some) {
+                    let mut center = PathWords::default();
+                    center.axes[..3].copy_from_slice(&words.center);
+                    self.contour_center(&center, reading)?;
+                }
+                let path = self.iso_path(&words);
+                self.contour_path(self.iso_function(&words), &path, reading)
             }
             KlartextStatement::Assign { target, formula } => {
                 self.assign(*target, formula);
@@ -258,6 +266,15 @@ impl KlartextInterpreter<'_> {
                 None
             }
         }
+    }
+
+    /// CC of a contour.
+    fn contour_center(&mut self, words: &PathWords, reading: &mut ContourReading) -> Option<()> {
+        let values = self.values(words)?;
+        let mut place: Position = self.programmed();
+        place[..3].copy_from_slice(&reading.at);
+        self.place_center(&values, &place, &mut reading.memory);
+        Some(())
     }
 
     /// A path function of a contour: the first gives its start and the side of the tool.
@@ -278,8 +295,8 @@ impl KlartextInterpreter<'_> {
             reading.contour.side = side;
             reading.contour.range = self.here;
         }
-        let is_arc = words.direction.is_some();
-        if !words.has_coordinates() && !is_arc {
+        let is_circle = words.direction.is_some() && function == PathFunction::CenterArc;
+        if !words.has_coordinates() && !is_circle {
             return Some(());
         }
         let values = self.values(words)?;
@@ -427,5 +444,41 @@ impl KlartextInterpreter<'_> {
         );
         self.not_followed(self.here, what);
         None
+    }
+}
+
+/// The numbers in a text: `CONTOUR LABEL1 /2 /3`, or `P01 1 P02 2` of a DIN/ISO program, where those after P count the
+/// labels.
+fn label_numbers(text: &[u8]) -> Vec<u32> {
+    let mut found = Vec::new();
+    let mut before = b' ';
+    let mut at = 0;
+    while at < text.len() {
+        let count = text[at..].iter().take_while(|byte| byte.is_ascii_digit()).count();
+        if count == 0 {
+            before = text[at].to_ascii_uppercase();
+            at += 1;
+            continue;
+        }
+        let number = std::str::from_utf8(&text[at..at + count]).ok();
+        if before != b'P' {
+            found.extend(number.and_then(|number| number.parse::<u32>().ok()));
+        }
+        before = b' ';
+        at += count;
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::label_numbers;
+
+    #[test]
+    fn labels_are_read_in_both_forms() {
+        assert_eq!(label_numbers(b" CONTOUR LABEL1 /2 /13"), [1, 2, 13]);
+        assert_eq!(label_numbers(b"KONTURLABEL 1/2"), [1, 2]);
+        assert_eq!(label_numbers(b" P01 1 P02 12"), [1, 12]);
+        assert!(label_numbers(b"CONTOUR LABEL 99999999999").is_empty());
     }
 }

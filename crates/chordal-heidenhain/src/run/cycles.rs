@@ -299,7 +299,12 @@ impl KlartextInterpreter<'_> {
                     Some(KlartextCycleRunner::OnContours)
                 ) =>
             {
-                self.run_contour_cycle(number, &values);
+                if surface_mm == 0.0 {
+                    self.run_contour_cycle(number, &values);
+                } else {
+                    let what = format!("cycle {number} at another level is not followed");
+                    self.not_followed(self.here, what);
+                }
             }
             StoredCycle::Parameters { number, values, .. } => {
                 let values = self.cycle_values(&values);
@@ -353,12 +358,17 @@ impl KlartextInterpreter<'_> {
                 self.report_assumed_path(number);
                 steps
             }
-            Some(
-                KlartextCycleRunner::OnContours
-                | KlartextCycleRunner::AtOnce
-                | KlartextCycleRunner::Nothing,
-            )
-            | None => return,
+            Some(KlartextCycleRunner::OnContours) => {
+                let what = format!(
+                    "cycle {number} in a pattern is not followed: it works on contours at their own places"
+                );
+                return self.not_followed_once(
+                    &format!("pattern of cycle {number}"),
+                    self.here,
+                    &what,
+                );
+            }
+            Some(KlartextCycleRunner::AtOnce | KlartextCycleRunner::Nothing) | None => return,
         };
         match steps(number, values, &self.cycle_context()) {
             Ok(steps) => self.run_steps(&steps),

@@ -20,8 +20,8 @@ const fn is_motion(code: u32) -> bool {
 const WITHOUT_EFFECT: [u32; 5] = [9, 50, 51, 70, 71];
 
 impl KlartextInterpreter<'_> {
-    /// Carries out a block of a DIN/ISO program.
-    pub(super) fn iso_block(&mut self, words: &IsoWords) -> KlartextFlow {
+    /// The words of a block after its modal codes: coordinates are incremental after G91.
+    pub(super) fn iso_words(&mut self, words: &IsoWords) -> IsoWords {
         let mut words = words.clone();
         self.take_iso_codes(&words);
         let is_incremental = self.modes.iso.is_incremental;
@@ -29,6 +29,12 @@ impl KlartextInterpreter<'_> {
         for word in coordinates.chain([&mut words.angle, &mut words.radius]).flatten() {
             word.is_incremental = is_incremental;
         }
+        words
+    }
+
+    /// Carries out a block of a DIN/ISO program.
+    pub(super) fn iso_block(&mut self, words: &IsoWords) -> KlartextFlow {
+        let words = self.iso_words(words);
         let has = |code: u32| words.codes.iter().any(|(own, _)| *own == code);
         if words.tool.is_some() || words.speed.is_some() {
             self.iso_tool_call(&words);
@@ -163,7 +169,7 @@ impl KlartextInterpreter<'_> {
     }
 
     /// The path function of the active motion.
-    fn iso_function(&self, words: &IsoWords) -> PathFunction {
+    pub(super) fn iso_function(&self, words: &IsoWords) -> PathFunction {
         match self.modes.iso.motion {
             2 | 3 | 5 if words.radius.is_some() => PathFunction::RadiusArc,
             2 | 3 | 5 => PathFunction::CenterArc,
@@ -176,7 +182,7 @@ impl KlartextInterpreter<'_> {
     }
 
     /// The words of the conversational form.
-    fn iso_path(&self, words: &IsoWords) -> PathWords {
+    pub(super) fn iso_path(&self, words: &IsoWords) -> PathWords {
         let motion = self.modes.iso.motion;
         let side = words.codes.iter().find_map(|(code, range)| match code {
             40 => Some((CompensationSide::Off, *range)),

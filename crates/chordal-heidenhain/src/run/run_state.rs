@@ -225,6 +225,8 @@ pub struct KlartextModes {
     pub datum_table: Option<String>,
     /// M97 stands in the block before: the next corner is passed without an arc.
     pub meets_corner: bool,
+    /// M98 stands in the block before: the next corner is open.
+    pub opens_corner: bool,
     /// RND or CHF comes next, and was requested at the end of the move before it.
     pub has_corner: bool,
     /// A jump, a call or a repeat has gone back: from here on blocks count against the budget.
@@ -266,6 +268,7 @@ impl Default for KlartextModes {
             contour_data: BTreeMap::new(),
             datum_table: None,
             meets_corner: false,
+            opens_corner: false,
             has_corner: false,
             has_jumped_back: false,
             blank: None,

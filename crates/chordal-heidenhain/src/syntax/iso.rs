@@ -169,6 +169,15 @@ fn words(cursor: &mut TokenCursor<'_>) -> KlartextStatement {
                 cursor.fault(KlartextFaultKind::MissingValue, token.range, "G has no number");
                 continue;
             };
+            // G120 to G125 are the contour cycles 20 to 25, G37 names their contours.
+            if (120..=125).contains(&number) {
+                let number = number - 100;
+                return KlartextStatement::CycleParameters { number, values: parameters(cursor) };
+            }
+            if number == 37 {
+                let (rest, words) = (cursor.take_rest(), Vec::new());
+                return KlartextStatement::CycleLine { number: 14, line: 1, words, rest };
+            }
             if (200..=299).contains(&number) {
                 return KlartextStatement::CycleParameters { number, values: parameters(cursor) };
             }

@@ -84,7 +84,8 @@ impl KlartextBlocks<'_> {
                 Ok(())
             }
             CommandKind::CornerArc { .. } => Err("a programmed corner arc (G39)".into()),
-            CommandKind::CornerMode { meets } => {
+            CommandKind::CornerMode { opens: true, .. } => Err("an open corner (M98)".into()),
+            CommandKind::CornerMode { meets, opens: false } => {
                 self.meets_corner = *meets;
                 Ok(())
             }

@@ -17,6 +17,8 @@ pub(super) struct CornerPath {
     pub missed: bool,
     /// It is an inside corner: the offset blocks are shorter.
     pub inside: bool,
+    /// It is an open inside corner: the contour ends there, and another begins.
+    pub open: bool,
 }
 
 impl CornerPath {
@@ -98,6 +100,8 @@ pub(super) struct CornerRuleSet {
     /// The largest change of direction at which an outside corner ends where the offset paths meet, rad; `None` where
     /// the control has no such choice.
     pub meets_rad: Option<f64>,
+    /// An inside corner is open: the tool goes to the end of its element, and from there to the start of the next.
+    pub opens: bool,
     /// A path that reverses into or out of an arc, with the tool outside of it, has an inside corner there.
     pub cusps_meet: bool,
 }
@@ -132,6 +136,9 @@ pub(super) fn corner(
         && turn.abs() < rules.tangent_sine
         && matches!(decides.curve, CompensationCurve::Arc { sweep, .. } if decides.sign * sweep < 0.0);
     let inside = end.sign * turn > 0.0 && !reversal || cusp;
+    if inside && rules.opens {
+        return CornerPath { open: true, ..CornerPath::of(&[at + n1 * r, at + n2 * r]) };
+    }
     if inside {
         let mut corner = match meeting(at, end, start, rules.tangent_mm) {
             Some(point) => CornerPath::at(point),

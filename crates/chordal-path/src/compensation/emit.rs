@@ -68,11 +68,18 @@ impl Compensator {
             self.at = Some(corner.last());
             self.emit_contour(&block, centre, out);
         } else {
+            let before_corner = centre.len();
             self.links(&block, &corner, end, &mut centre, out);
             self.at = Some(corner.last());
+            if corner.open {
+                // There is no wall where the tool goes past the corner.
+                centre.truncate(before_corner);
+            }
             self.emit_contour(&block, centre, out);
             self.put_trailing(&block, out);
         }
+        // The walls before an open corner are not those after it.
+        self.contour_number += u32::from(corner.open);
     }
 
     /// Emits the commands after a block that are no part of the contour.

@@ -149,6 +149,8 @@ pub struct Compensator {
     round_next: Option<Origin>,
     /// Outside corners end where the offset paths meet, as far as the control lets them.
     corners_meet: bool,
+    /// Inside corners are cut to the ends of both elements (M98).
+    corners_open: bool,
     queue: VecDeque<Box<QueuedBlock>>,
     /// The programmed point of a turning tool relative to the centre of its nose, mm.
     tip: Vec2,
@@ -197,6 +199,7 @@ impl Compensator {
             again: false,
             round_next: None,
             corners_meet: false,
+            corners_open: false,
             queue: VecDeque::new(),
             tip: Vec2::new(0.0, 0.0),
             at: None,
@@ -271,7 +274,9 @@ impl Compensator {
         match &command.kind {
             CommandKind::Idle => self.idle(&command.origin),
             CommandKind::CornerArc { .. } => self.round_next = Some(command.origin),
-            CommandKind::CornerMode { meets } => self.corners_meet = *meets,
+            CommandKind::CornerMode { meets, opens } => {
+                (self.corners_meet, self.corners_open) = (*meets, *opens);
+            }
             CommandKind::Compensation { side, number: _, radius_mm, toward, tip } => {
                 self.pass_on(command, out);
                 let radius = self.radius_override.filter(|_| radius_mm != &Some(0.0));

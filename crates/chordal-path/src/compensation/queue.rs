@@ -383,6 +383,7 @@ impl Compensator {
             tangent_mm: rules.tangent_mm,
             tangent_sine: if rules.tangent_rad > 0.0 { libm::sin(rules.tangent_rad) } else { 0.0 },
             round: self.rules.outside_corner == OutsideCorner::Arc,
+            opens: self.corners_open,
             cusps_meet: rules.cusps_meet,
             meets_rad: rules.corner_angles.map(|angles| {
                 if self.corners_meet { angles.meets_rad } else { angles.always_meets_rad }

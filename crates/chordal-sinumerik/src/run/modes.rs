@@ -146,7 +146,7 @@ impl Interpreter<'_> {
             450 | 451 => {
                 let meets = code == 451;
                 if std::mem::replace(&mut self.modes.intersects_corners, meets) != meets {
-                    self.kernel.emit(CommandKind::CornerMode { meets });
+                    self.kernel.emit(CommandKind::CornerMode { meets, opens: false });
                 }
             }
             33 | 331 | 332 => self.modes.motion = PathMotion::Thread,

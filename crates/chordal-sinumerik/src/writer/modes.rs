@@ -96,7 +96,8 @@ impl BlockWriter<'_> {
                 Ok(())
             }
             CommandKind::CornerArc { .. } => Err("a programmed corner arc (G39)".into()),
-            CommandKind::CornerMode { meets } => {
+            CommandKind::CornerMode { opens: true, .. } => Err("an open corner (M98)".into()),
+            CommandKind::CornerMode { meets, opens: false } => {
                 self.alone(if *meets { "G451" } else { "G450" });
                 Ok(())
             }
