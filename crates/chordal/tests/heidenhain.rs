@@ -1,7 +1,7 @@
 //! Conversational programs with what is expected of them on the line; `tests/heidenhain/README.md` has the format.
 //!
-//! The first run of the set, before anything was mended: 45 of 68 programs clean, 855 of 1033 expectations, 86 of 89
-//! faults.
+//! The first run of the first 68 programs and 89 faults, before anything was mended: 45 programs clean, 855 of 1033
+//! expectations, 86 faults. The first run of the set of 120 and 300: 108, 2486 of 2576, 278.
 
 #![allow(clippy::disallowed_methods, reason = "the programs are files")]
 
@@ -19,13 +19,13 @@ use chordal::{
 use chordal_heidenhain::syntax::LineReader;
 
 /// Programs without an error or a warning, of all; may only become more.
-const MIN_CLEAN: usize = 67;
+const MIN_CLEAN: usize = 117;
 
 /// Expectations that hold, of all; may only become more.
-const MIN_RIGHT: usize = 1033;
+const MIN_RIGHT: usize = 2569;
 
 /// Faults that are reported at their line, of all; may only become more.
-const MIN_FAULTS: usize = 89;
+const MIN_FAULTS: usize = 297;
 
 /// How far a coordinate may be off: the set is rounded to three decimals, mm.
 const TOLERANCE_MM: f64 = 1.1e-3;
@@ -204,8 +204,7 @@ fn run(path: &Path) -> KlartextRunRecord {
     for block in LineReader::new(source.text()) {
         let last = source.line_of(block.range.end.saturating_sub(1).max(block.range.start));
         let last_line = lines.get(last as usize).copied().unwrap_or(0);
-        (block.line..=last.max(block.line))
-            .for_each(|line| drop(last_lines.insert(line, last_line)));
+        (block.line..=last.max(block.line)).for_each(|line| _ = last_lines.insert(line, last_line));
     }
     let file_line = |line: u32| last_lines.get(&line).copied().unwrap_or(0);
     let mut record = KlartextPathRecord::default();

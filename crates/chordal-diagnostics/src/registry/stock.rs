@@ -127,10 +127,10 @@ stock and where its zero is. The answers about the stock hold for that stock and
 the program. Give `[stock]` in a setup file to use another one."#;
 
     StockCommentDoubted = 673, "stock-comment-doubted", Warning;
-    "no cut meets the stock that the program gives";
-    r#"The stock was taken from the program, and the program removes nothing of it. Programs are edited and keep
-the head of an older one: the stock, or its zero, is probably another. Nothing is proved about it. Give `[stock]` in a
-setup file."#;
+    "the stock that the program gives does not fit its cuts";
+    r#"The stock was taken from the program, and the program removes nothing of it, or cuts far below it (more than twice
+its height and 30 mm). Programs are edited and keep the head of an older one: the stock, or its zero, is probably another,
+or a depth has a figure too much. Nothing is proved about it. Give `[stock]` in a setup file."#;
 
     MachineCollision = 680, "machine-collision", Error;
     "two bodies of the machine collide";

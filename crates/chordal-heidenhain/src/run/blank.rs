@@ -16,6 +16,12 @@ const POINTS_OF_RAPID: usize = 33;
 /// Chords of an arc.
 const CHORDS_OF_ARC: usize = 24;
 
+/// A cut that ends so many times the height of the blank below it is a mistake.
+const BLANK_HEIGHTS: f64 = 2.0;
+
+/// The same for a flat blank, mm.
+const MIN_DEPTH_BELOW_MM: f64 = 30.0;
+
 /// The radius of a tool whose radius is not given, so that no rapid is reported for what is not known, mm.
 const UNKNOWN_RADIUS_MM: f64 = 30.0;
 
@@ -76,14 +82,15 @@ impl KlartextInterpreter<'_> {
             return;
         }
         let (from, to) = (linear(from), linear(&state.position));
+        let tool_axis = self.tool_axis();
         if state.motion != ModalMotion::Rapid {
+            self.check_depth(to[tool_axis], tool_axis);
             return self.remember_cut(from, to, element);
         }
-        // The rapids of a cycle go where it has cut.
-        if self.kernel.origin.cycle {
+        // Across, and out, the rapids of a cycle go where it has cut.
+        if self.kernel.origin.cycle && to[tool_axis] >= from[tool_axis] {
             return;
         }
-        let tool_axis = self.tool_axis();
         let record = &self.modes.blank_record;
         let hit = (0..POINTS_OF_RAPID).map(|index| {
             let part = index as f64 / (POINTS_OF_RAPID - 1) as f64;
@@ -101,6 +108,24 @@ impl KlartextInterpreter<'_> {
             .label("inside BLK FORM")
             .help("go down with a feed F, or correct the position or BLK FORM");
         self.kernel.report(diagnostic);
+    }
+
+    /// Reports a cut that goes so far through the blank that its depth, or the blank, must be wrong.
+    fn check_depth(&mut self, level: f64, tool_axis: usize) {
+        let record = &mut self.modes.blank_record;
+        let Some([least, largest]) = record.corners.filter(|_| !record.is_depth_reported) else {
+            return;
+        };
+        let (bottom, height) = (least[tool_axis], largest[tool_axis] - least[tool_axis]);
+        let below = bottom - level;
+        if below <= (BLANK_HEIGHTS * height).max(MIN_DEPTH_BELOW_MM) {
+            return;
+        }
+        record.is_depth_reported = true;
+        let [below, height] = [below, height].map(|mm| self.kernel.length_text(mm));
+        let message = format!("this cut ends {below} below the blank, which is {height} high");
+        let diagnostic = Diagnostic::new(Code::StockCommentDoubted, self.span(self.here), message);
+        self.kernel.report(diagnostic.help("check the depth and BLK FORM"));
     }
 
     fn remember_cut(&mut self, from: [f64; 3], to: [f64; 3], element: &ContourElement) {

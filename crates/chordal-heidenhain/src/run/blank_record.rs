@@ -18,6 +18,8 @@ pub struct BlankRecord {
     pub cuts: Vec<CutLine>,
     /// A rapid into it was reported.
     pub is_reported: bool,
+    /// A cut far below it was reported.
+    pub is_depth_reported: bool,
 }
 
 /// A straight piece of a cut.

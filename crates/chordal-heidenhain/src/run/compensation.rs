@@ -66,8 +66,9 @@ impl KlartextInterpreter<'_> {
         side: CompensationSide,
         range: chordal_diagnostics::TextRange,
     ) {
-        if side != CompensationSide::Off && !self.modes.has_tool {
-            let message = "tool radius compensation begins, and no tool was called";
+        let has_tool = self.modes.has_tool && self.kernel.state.tool != 0;
+        if side != CompensationSide::Off && !has_tool {
+            let message = "tool radius compensation begins, and no tool is in the spindle";
             self.alarm(TOOL_NOT_DEFINED, Code::CompensationWithoutOffset, range, message);
         }
     }

@@ -12,6 +12,7 @@ use chordal_kernel::shapes::{
 
 use super::interpreter::KlartextInterpreter;
 use super::run_state::{ContourMemory, CycleNumber};
+use crate::alarms::LABEL_NOT_FOUND;
 use crate::cycles::{
     CycleValues, KlartextCycleFault, KlartextCycleStep, TrainSide, contour_train_steps,
     rough_out_steps, side_finishing_steps, unreached_wall,
@@ -64,6 +65,14 @@ impl KlartextInterpreter<'_> {
             return;
         }
         let labels = label_numbers(rest.slice(self.text()));
+        for number in &labels {
+            if !self.running().labels.contains_key(&KlartextLabel::Number(*number)) {
+                let message = format!("the program has no label {number}");
+                let diagnostic = Diagnostic::new(Code::MissingLabel, self.span(rest), message);
+                let help = "write LBL with this number before the contour";
+                self.report_alarm(LABEL_NOT_FOUND, diagnostic.help(help));
+            }
+        }
         self.modes.contour_labels.extend(labels.into_iter().map(KlartextLabel::Number));
         if self.modes.contour_labels.len() > MAX_CONTOURS {
             let count = self.modes.contour_labels.len();
