@@ -39,8 +39,7 @@ fn a_tool_of_tool_def_is_a_cylinder() {
 
 #[test]
 fn a_shape_of_the_machine_file_counts() {
-    let ball =
-        slot("TOOL DEF 1 L+80 R+5", "[tools.1]\nshape = 'ball'\ndiameter = '10 mm'\n");
+    let ball = slot("TOOL DEF 1 L+80 R+5", "[tools.1]\nshape = 'ball'\ndiameter = '10 mm'\n");
     assert!(!codes(&ball).contains(&"CH634"), "{:?}", codes(&ball));
     // Half a circle of 10 mm: 39.27 mm2 across.
     assert!(ball.removed_mm3.least <= 3_927.0 && 3_927.0 <= ball.removed_mm3.most);
