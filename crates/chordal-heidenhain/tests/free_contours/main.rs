@@ -69,6 +69,7 @@ fn solved_with_selection(seed: u64, contour: &MadeContour) -> SelectedContour {
             Err(fault) => panic!("{fault:?}: {}", shown()),
         };
         let ContourChoice { element, from, solutions } = choice;
+        assert!(solutions.len() > 1, "{}\n{solutions:#?}", shown());
         assert!(result.selections.iter().all(|(other, _)| *other < element), "{}", shown());
         for solution in &solutions {
             result.said += 1;
@@ -222,4 +223,26 @@ fn elements_before_the_contour_are_references() {
     let found = found.expect("a contour");
     assert!(distance(found[0].end, [20.0, 3.0]) < 1e-9);
     assert!(distance(found[1].end, [20.0, 7.0]) < 1e-9);
+}
+
+/// Long contours with a choice at every element end, and none of them is guessed.
+#[test]
+fn long_contours_of_choices_end() {
+    // From each point two points have the same distance and the same X.
+    let zigzag = FreeElementValues {
+        length: Some(5.0),
+        end: [Some(FreeValue { value: 3.0, from: None }), None],
+        ..nothing()
+    };
+    let chain: Vec<FreeElementValues> = (1..=200)
+        .map(|at| FreeElementValues { end: [absolute(3.0 * f64::from(at)), None], ..zigzag })
+        .collect();
+    assert!(matches!(solve(&chain, &[]), Err(FreeContourFault::TooManySolutions(_))));
+    // With FSELECT after each there is one.
+    let selections: Vec<(usize, u32)> = (0..200).map(|at| (at, 1)).collect();
+    assert_eq!(solve(&chain, &selections).map(|found| found.len()), Ok(200));
+    // Circles about one point say nothing about where they meet.
+    let ring =
+        FreeElementValues { turn: Some(TurnDirection::Ccw), center: both([9.0, 0.0]), ..nothing() };
+    assert!(matches!(solve(&[ring; 200], &[]), Err(FreeContourFault::Undetermined(0))));
 }

@@ -44,28 +44,29 @@ pub fn solve_free_contour(
 ) -> Result<Vec<SolvedFreeElement>, FreeContourFault> {
     let count = request.elements.len();
     let mut base = FreeChain::new(request);
-    // The contours at the first block since which there are several.
-    let mut choice: Option<Vec<FreeChain<'_>>> = None;
+    // The first block since which there are several contours.
+    let mut open_since = None;
     // Block by block, as the control does: what FSELECT selects from is what is known at its block.
     for limit in 1..=count {
         base.limit = limit;
-        let mut leaves = follow(&base)?;
-        order_solutions(&mut leaves, request.order);
+        let leaves = ordered_contours(&base)?;
         let selection = request.selections.iter().find(|(element, _)| element + 1 == limit);
-        if let Some((element, number)) = selection {
-            let chosen = leaves.get((*number as usize).wrapping_sub(1)).cloned();
-            base =
-                chosen.ok_or(FreeContourFault::NoSuchSolution(*element, *number, leaves.len()))?;
-            choice = None;
-        } else if let [only] = leaves.as_slice() {
-            base = only.clone();
-            choice = None;
-        } else {
-            choice.get_or_insert(leaves);
+        let chosen = match selection {
+            Some((element, number)) => {
+                let chosen = leaves.get((*number as usize).wrapping_sub(1));
+                let fault = FreeContourFault::NoSuchSolution(*element, *number, leaves.len());
+                Some(chosen.ok_or(fault)?.clone())
+            }
+            None if leaves.len() == 1 => leaves.into_iter().next(),
+            None => None,
+        };
+        match chosen {
+            Some(chosen) => (base, open_since) = (chosen, None),
+            None => open_since = open_since.or(Some(limit)),
         }
     }
-    if let Some(leaves) = choice {
-        return Err(ambiguity(&leaves));
+    if let Some(first) = open_since {
+        return Err(first_choice(base, first)?);
     }
     match base.first_unknown() {
         Some(open) => Err(FreeContourFault::Undetermined(open)),
@@ -73,23 +74,45 @@ pub fn solve_free_contour(
     }
 }
 
-/// The contours at a block that the later values leave, from the first element on in which they differ.
-fn ambiguity(leaves: &[FreeChain<'_>]) -> FreeContourFault {
-    let element = leaves[0].limit - 1;
-    let goes_on = |leaf: &FreeChain<'_>| {
-        let whole = FreeChain { limit: leaf.request.elements.len(), ..leaf.clone() };
-        !matches!(follow(&whole), Err(FreeContourFault::Contradiction(_)))
-    };
-    let numbers = (1..).zip(leaves).filter(|(_, leaf)| goes_on(leaf));
-    let left: Vec<(u32, &FreeChain<'_>)> = numbers.collect();
+/// The contours that fit, in the order of their numbers.
+fn ordered_contours<'v>(base: &FreeChain<'v>) -> Result<Vec<FreeChain<'v>>, FreeContourFault> {
+    let mut leaves = follow(base)?;
+    order_solutions(&mut leaves, base.request.order);
+    Ok(leaves)
+}
+
+/// The first block at which more than one of the contours is left by the values of later elements.
+fn first_choice(
+    mut base: FreeChain<'_>,
+    first: usize,
+) -> Result<FreeContourFault, FreeContourFault> {
+    let count = base.request.elements.len();
+    for limit in first..=count {
+        base.limit = limit;
+        let goes_on = |leaf: &FreeChain<'_>| {
+            let whole = FreeChain { limit: count, ..leaf.clone() };
+            !matches!(follow(&whole), Err(FreeContourFault::Contradiction(_)))
+        };
+        let numbers = (1..).zip(ordered_contours(&base)?).filter(|(_, leaf)| goes_on(leaf));
+        let left: Vec<(u32, FreeChain<'_>)> = numbers.collect();
+        if left.len() > 1 {
+            return Ok(ambiguity(&left));
+        }
+    }
+    Ok(FreeContourFault::Undetermined(first - 1))
+}
+
+/// Several contours at a block, from the first element on in which they differ.
+fn ambiguity(left: &[(u32, FreeChain<'_>)]) -> FreeContourFault {
+    let element = left.first().map_or(0, |(_, leaf)| leaf.limit - 1);
     let differs = |at: &usize| {
         let first = left.first().map(|(_, leaf)| leaf.part(*at));
         left.iter()
             .any(|(_, leaf)| first.is_some_and(|first| is_other_part(&first, &leaf.part(*at))))
     };
     let from = (0..=element).find(differs).unwrap_or(element);
-    let solutions = left.into_iter().map(|(number, leaf)| NumberedSolution {
-        number,
+    let solutions = left.iter().map(|(number, leaf)| NumberedSolution {
+        number: *number,
         elements: (from..=element).map(|at| leaf.part(at)).collect(),
     });
     let solutions = solutions.collect();
