@@ -18,12 +18,7 @@ pub fn defined_tools(text: &[u8]) -> Vec<DefinedTool> {
     let mut found: BTreeMap<u32, Option<DefinedTool>> = BTreeMap::new();
     let mut unit = 1.0;
     for lines in LineReader::new(text) {
-        // Most blocks are none of these, and need not be read.
-        let words = lines.range.slice(text);
-        let is_named = ["DEF", "G99", "BEGIN", "G70", "G71"]
-            .iter()
-            .any(|word| contains_ignoring_case(words, word.as_bytes()));
-        if !is_named {
+        if !may_define(lines.range.slice(text)) {
             continue;
         }
         let block = block_of_lines(text, &lines);
@@ -40,6 +35,15 @@ pub fn defined_tools(text: &[u8]) -> Vec<DefinedTool> {
         }
     }
     found.into_values().flatten().collect()
+}
+
+/// Whether a block may be TOOL DEF or the head of a program: most are none of these, and need not be read.
+fn may_define(block: &[u8]) -> bool {
+    match block.iter().find(|byte| !(byte.is_ascii_digit() || b" \t/".contains(byte))) {
+        Some(b'T' | b't' | b'B' | b'b' | b'%') => true,
+        Some(b'N' | b'n' | b'G' | b'g') => contains_ignoring_case(block, b"G99"),
+        _ => false,
+    }
 }
 
 /// Adds a tool; one that another block defines with other data is not known.

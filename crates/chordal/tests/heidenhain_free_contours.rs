@@ -286,6 +286,28 @@ L X+0 Y+0 R0 FMAX"
     );
 }
 
+/// The first block after which FSELECT must choose is named, with what is known there.
+#[test]
+fn the_block_of_the_first_choice_is_named() {
+    let without: String = KEYHOLE
+        .lines()
+        .filter(|line| !line.contains("FSELECT"))
+        .fold(String::new(), |text, line| text + line + "\n");
+    let record = run(&format!("{TOOL}L X+0 Y+30 F100\n{without}L X+30 Y+30 FMAX"), "");
+    let error = record.errors.first().expect("an error");
+    assert!(error.message.contains("4 contours fit"), "{error:?}");
+    let text = format!("{TOOL}L X+0 Y+30 F100\n{without}");
+    let span = error.primary.span.range;
+    let shown = span.slice(format!("BEGIN PGM A MM\n{text}").as_bytes()).to_vec();
+    assert_eq!(shown, b"11 FL AN+60 PDX+30 PDY+30 D10");
+    assert!(error.message.contains("a point at 60 degrees"), "{error:?}");
+    // Parallel lines in both directions: of the second nothing but its direction is known.
+    let parallel = "7 FL AN+15 LEN20\n8 FL IAN+90 LEN 12.5\n9 FL PAR 7 DP12.5 LEN8";
+    let record = run(&format!("{TOOL}L X+0 Y+0 F100\n{parallel}\nL X+0 Y+0 FMAX"), "");
+    let error = record.errors.first().expect("an error");
+    assert!(error.message.contains("2 contours fit"), "{error:?}");
+}
+
 #[test]
 fn what_is_missing_is_said() {
     let said = |block: &str, words: &str| {

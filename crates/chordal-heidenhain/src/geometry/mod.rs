@@ -10,7 +10,8 @@ pub use approach::{
 };
 pub use element::{ContourElement, arc_about, arc_by_radius, arc_fault_mm, tangent_center};
 pub use free_contour::{
-    FreeContourFault, FreeContourRequest, FreeElementValues, FreeReference, FreeSolutionOrder,
-    FreeValue, KnownElement, SolvedFreeElement, solve_free_contour,
+    ContourChoice, FreeContourFault, FreeContourRequest, FreeElementValues, FreeReference,
+    FreeSolutionOrder, FreeValue, KnownElement, NumberedSolution, PartlySolvedElement,
+    SolvedFreeElement, solve_free_contour,
 };
 pub use vectors::{COINCIDENT_POINTS_MM, turned_about};

@@ -10,8 +10,9 @@ use super::free_values::{FreeWordsContext, ReadElement};
 use super::interpreter::KlartextInterpreter;
 use super::run_state::{KlartextFlow, MAX_RECENT_ELEMENTS};
 use crate::geometry::{
-    ContourElement, FreeContourFault, FreeContourRequest, FreeElementValues, FreeReference,
-    FreeValue, KnownElement, SolvedFreeElement, arc_about, solve_free_contour,
+    ContourChoice, ContourElement, FreeContourFault, FreeContourRequest, FreeElementValues,
+    FreeReference, FreeValue, KnownElement, PartlySolvedElement, SolvedFreeElement, arc_about,
+    solve_free_contour,
 };
 use crate::syntax::{
     AXIS_WORDS, FreeElementWords, KlartextReader, KlartextStatement, OperandWord, PathFunction,
@@ -302,10 +303,7 @@ impl KlartextInterpreter<'_> {
                 self.bad_value(range, message.into(), help);
                 self.problem(Code::UnknownPath, range, "the free contour (FK) is missing here");
             }
-            FreeContourFault::Ambiguous(from, solutions) => {
-                let last = blocks.elements.len() - 1;
-                self.report_solutions(range_of(last), blocks.elements[from].number, &solutions);
-            }
+            FreeContourFault::Ambiguous(choice) => self.report_solutions(&choice, blocks),
             FreeContourFault::NoSuchSolution(index, number, count) => {
                 let selection = blocks.selections.iter().find(|(element, ..)| *element == index);
                 let range = selection.map_or(range_of(index), |(_, _, range)| *range);
@@ -324,39 +322,45 @@ impl KlartextInterpreter<'_> {
     }
 
     /// Several contours fit: their numbers and points, so that one can be selected.
-    fn report_solutions(
-        &mut self,
-        range: TextRange,
-        from: Option<u32>,
-        solutions: &[Vec<SolvedFreeElement>],
-    ) {
-        let shown = solutions.iter().take(MAX_SHOWN).enumerate();
+    fn report_solutions(&mut self, choice: &ContourChoice, blocks: &FreeContourBlocks) {
+        let block = &blocks.elements[choice.element];
+        let shown = choice.solutions.iter().take(MAX_SHOWN);
         let texts: Vec<String> = shown
-            .map(|(index, elements)| format!("{}: {}", index + 1, self.solution_text(elements)))
+            .map(|own| format!("{}: {}", own.number, self.solution_text(&own.elements)))
             .collect();
+        let from = blocks.elements[choice.from].number;
         let from = from.map_or(String::new(), |number| format!(" from block {number} on"));
         let message = format!(
-            "{} contours fit the values of this free contour (FK); they end their elements{from} at {}",
-            solutions.len(),
+            "{} contours fit the values of this free contour (FK) up to here; their elements{from} end at {}",
+            choice.solutions.len(),
             texts.join("; ")
         );
-        let diagnostic = Diagnostic::new(Code::NotFollowed, self.span(range), message);
+        let diagnostic = Diagnostic::new(Code::NotFollowed, self.span(block.range), message);
         let help = "write FSELECT with the number of one of them after this block";
         self.kernel.report(diagnostic.help(help));
     }
 
-    /// The points of a solution.
-    fn solution_text(&self, elements: &[SolvedFreeElement]) -> String {
+    /// The points of a solution; where an end is not known yet, the line or circle on which it lies.
+    fn solution_text(&self, elements: &[PartlySolvedElement]) -> String {
         let (a, b, _) = self.tool_plane().axes();
         let unit = self.unit_mm();
         let point = |[first, second]: [f64; 2]| {
             let [first, second] = [first, second].map(|mm| telling_number(mm / unit, 3));
             format!("{}{first} {}{second}", AXIS_WORDS[a], AXIS_WORDS[b])
         };
-        let points = elements.iter().take(MAX_SHOWN).map(|element| match element.center {
-            Some(center) => format!("{} about {}", point(element.end), point(center)),
-            None => point(element.end),
-        });
-        points.collect::<Vec<_>>().join(", ")
+        let text = |element: &PartlySolvedElement| match *element {
+            PartlySolvedElement { end: Some(end), circle: Some((center, _)), .. } => {
+                format!("{} about {}", point(end), point(center))
+            }
+            PartlySolvedElement { end: Some(end), .. } => point(end),
+            PartlySolvedElement { circle: Some((center, radius)), .. } => {
+                format!("R{} about {}", telling_number(radius / unit, 3), point(center))
+            }
+            PartlySolvedElement { direction_deg: Some(degrees), .. } => {
+                format!("a point at {} degrees", telling_number(degrees, 3))
+            }
+            _ => "a point that is not known yet".to_string(),
+        };
+        elements.iter().take(MAX_SHOWN).map(text).collect::<Vec<_>>().join(", ")
     }
 }

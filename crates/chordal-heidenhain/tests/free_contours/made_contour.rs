@@ -342,7 +342,9 @@ impl MadeContour {
             4 => {
                 let off = self.numbers.between(1.0, 4.0);
                 let radial = arc.entry_deg + arc.sign * (arc.sweep_deg / 2.0 - 90.0);
-                let point = ahead(arc.center, radial, arc.radius + off);
+                // Outside of the circle or inside.
+                let side = if self.numbers.below(2) == 0 { off } else { -off };
+                let point = ahead(arc.center, radial, arc.radius + side);
                 let distance_point = Some((point, off));
                 FreeElementValues { radius: Some(arc.radius), distance_point, ..known }
             }

@@ -130,6 +130,37 @@ pub struct SolvedFreeElement {
     pub center: Option<[f64; 2]>,
 }
 
+/// What is known of an element of one of several contours.
+#[derive(Clone, Copy, PartialEq, Debug)]
+pub struct PartlySolvedElement {
+    /// Its end.
+    pub end: Option<[f64; 2]>,
+    /// The centre and the radius of an arc.
+    pub circle: Option<([f64; 2], f64)>,
+    /// The direction of a line, degrees from 0 to 360.
+    pub direction_deg: Option<f64>,
+}
+
+/// One of several contours: its number for FSELECT, and its elements.
+#[derive(Clone, PartialEq, Debug)]
+pub struct NumberedSolution {
+    /// The number, from 1.
+    pub number: u32,
+    /// What is known of its elements, from the first one on in which the contours differ.
+    pub elements: Vec<PartlySolvedElement>,
+}
+
+/// Several contours that fit the values up to an element.
+#[derive(Clone, PartialEq, Debug)]
+pub struct ContourChoice {
+    /// The element after which FSELECT takes one.
+    pub element: usize,
+    /// The first element in which they differ.
+    pub from: usize,
+    /// Those that the values of later elements leave.
+    pub solutions: Vec<NumberedSolution>,
+}
+
 /// Why a free contour is not solved.
 #[derive(Clone, PartialEq, Debug)]
 pub enum FreeContourFault {
@@ -137,8 +168,8 @@ pub enum FreeContourFault {
     Undetermined(usize),
     /// The values of this element contradict each other.
     Contradiction(usize),
-    /// Several contours fit: the first element in which they differ, and of each the elements from it on.
-    Ambiguous(usize, Vec<Vec<SolvedFreeElement>>),
+    /// Several contours fit.
+    Ambiguous(ContourChoice),
     /// FSELECT after this element selects a solution that does not exist: its number, and how many there are.
     NoSuchSolution(usize, u32, usize),
     /// More contours fit the values up to this element than are followed.

@@ -3,7 +3,10 @@
 use super::carrier::ElementCarrier;
 use super::chain::FreeChain;
 use super::check::turn_of;
-use super::{FreeContourFault, FreeContourRequest, FreeSolutionOrder, SolvedFreeElement};
+use super::{
+    ContourChoice, FreeContourFault, FreeContourRequest, FreeSolutionOrder, NumberedSolution,
+    PartlySolvedElement, SolvedFreeElement,
+};
 use chordal_geometry::Vec2;
 
 /// Contours that are followed at once.
@@ -41,47 +44,96 @@ pub fn solve_free_contour(
 ) -> Result<Vec<SolvedFreeElement>, FreeContourFault> {
     let count = request.elements.len();
     let mut base = FreeChain::new(request);
-    let mut leaves = vec![base.clone()];
+    // The first block since which there are several contours.
+    let mut open_since = None;
     // Block by block, as the control does: what FSELECT selects from is what is known at its block.
     for limit in 1..=count {
         base.limit = limit;
-        leaves = follow(&base)?;
+        let leaves = ordered_contours(&base)?;
         let selection = request.selections.iter().find(|(element, _)| element + 1 == limit);
-        if let Some((element, number)) = selection {
-            order_solutions(&mut leaves, request.order);
-            let chosen = leaves.get((*number as usize).wrapping_sub(1)).cloned();
-            base =
-                chosen.ok_or(FreeContourFault::NoSuchSolution(*element, *number, leaves.len()))?;
-            leaves = vec![base.clone()];
-        } else if let [only] = leaves.as_slice() {
-            base = only.clone();
+        let chosen = match selection {
+            Some((element, number)) => {
+                let chosen = leaves.get((*number as usize).wrapping_sub(1));
+                let fault = FreeContourFault::NoSuchSolution(*element, *number, leaves.len());
+                Some(chosen.ok_or(fault)?.clone())
+            }
+            None if leaves.len() == 1 => leaves.into_iter().next(),
+            None => None,
+        };
+        match chosen {
+            Some(chosen) => (base, open_since) = (chosen, None),
+            None => open_since = open_since.or(Some(limit)),
         }
     }
-    order_solutions(&mut leaves, request.order);
-    if let Some(open) = leaves.iter().find_map(|leaf| leaf.first_unknown()) {
-        return Err(FreeContourFault::Undetermined(open));
+    if let Some(first) = open_since {
+        return Err(first_choice(base, first)?);
     }
-    match leaves.as_slice() {
-        [only] => Ok(only.solved(0)),
-        _ => Err(ambiguity(&leaves)),
+    match base.first_unknown() {
+        Some(open) => Err(FreeContourFault::Undetermined(open)),
+        None => Ok(base.solved()),
     }
 }
 
-/// The solutions from the first element on in which they differ.
-fn ambiguity(leaves: &[FreeChain<'_>]) -> FreeContourFault {
-    let solutions: Vec<Vec<SolvedFreeElement>> = leaves.iter().map(|leaf| leaf.solved(0)).collect();
-    let count = solutions.first().map_or(0, Vec::len);
+/// The contours that fit, in the order of their numbers.
+fn ordered_contours<'v>(base: &FreeChain<'v>) -> Result<Vec<FreeChain<'v>>, FreeContourFault> {
+    let mut leaves = follow(base)?;
+    order_solutions(&mut leaves, base.request.order);
+    Ok(leaves)
+}
+
+/// The first block at which more than one of the contours is left by the values of later elements.
+fn first_choice(
+    mut base: FreeChain<'_>,
+    first: usize,
+) -> Result<FreeContourFault, FreeContourFault> {
+    let count = base.request.elements.len();
+    for limit in first..=count {
+        base.limit = limit;
+        let goes_on = |leaf: &FreeChain<'_>| {
+            let whole = FreeChain { limit: count, ..leaf.clone() };
+            !matches!(follow(&whole), Err(FreeContourFault::Contradiction(_)))
+        };
+        let numbers = (1..).zip(ordered_contours(&base)?).filter(|(_, leaf)| goes_on(leaf));
+        let left: Vec<(u32, FreeChain<'_>)> = numbers.collect();
+        if left.len() > 1 {
+            return Ok(ambiguity(&left));
+        }
+    }
+    Ok(FreeContourFault::Undetermined(first - 1))
+}
+
+/// Several contours at a block, from the first element on in which they differ.
+fn ambiguity(left: &[(u32, FreeChain<'_>)]) -> FreeContourFault {
+    let element = left.first().map_or(0, |(_, leaf)| leaf.limit - 1);
     let differs = |at: &usize| {
-        let first = leaves[0].points[at + 1].zip(leaves[0].carriers[*at]);
-        leaves.iter().any(|leaf| {
-            let own = leaf.points[at + 1].zip(leaf.carriers[*at]);
-            first.zip(own).is_none_or(|(first, own)| {
-                first.0.distance(own.0) > SAME_SOLUTION_MM || is_other_carrier(&first.1, &own.1)
-            })
-        })
+        let first = left.first().map(|(_, leaf)| leaf.part(*at));
+        left.iter()
+            .any(|(_, leaf)| first.is_some_and(|first| is_other_part(&first, &leaf.part(*at))))
     };
-    let from = (0..count).find(differs).unwrap_or_default();
-    FreeContourFault::Ambiguous(from, leaves.iter().map(|leaf| leaf.solved(from)).collect())
+    let from = (0..=element).find(differs).unwrap_or(element);
+    let solutions = left.iter().map(|(number, leaf)| NumberedSolution {
+        number: *number,
+        elements: (from..=element).map(|at| leaf.part(at)).collect(),
+    });
+    let solutions = solutions.collect();
+    FreeContourFault::Ambiguous(ContourChoice { element, from, solutions })
+}
+
+fn is_other_part(one: &PartlySolvedElement, other: &PartlySolvedElement) -> bool {
+    let far = |one: [f64; 2], other: [f64; 2]| {
+        Vec2::from_array(one).distance(Vec2::from_array(other)) > SAME_SOLUTION_MM
+    };
+    let ends = one.end.zip(other.end).is_some_and(|(one, other)| far(one, other));
+    let circles = one
+        .circle
+        .zip(other.circle)
+        .is_some_and(|((one, r), (other, s))| far(one, other) || (r - s).abs() > SAME_SOLUTION_MM);
+    let directions = one.direction_deg.zip(other.direction_deg);
+    let turned = directions.is_some_and(|(one, other)| (one - other).abs() > 1e-4);
+    let kinds = one.end.is_some() != other.end.is_some()
+        || one.circle.is_some() != other.circle.is_some()
+        || one.direction_deg.is_some() != other.direction_deg.is_some();
+    ends || circles || turned || kinds
 }
 
 /// All contours that fit the values of the elements that are looked at, as far as they are determined.
@@ -246,16 +298,28 @@ impl FreeChain<'_> {
         sum
     }
 
-    /// The elements from one on, where all are known.
-    fn solved(&self, from: usize) -> Vec<SolvedFreeElement> {
-        let elements = (from..self.limit).filter_map(|element| {
-            let end = self.points[element + 1]?;
-            let center = match self.carriers[element]? {
-                ElementCarrier::Line { .. } => None,
-                ElementCarrier::Circle { center, .. } => Some([center.a, center.b]),
-            };
-            Some(SolvedFreeElement { end: [end.a, end.b], center })
+    /// The elements, where all are known.
+    fn solved(&self) -> Vec<SolvedFreeElement> {
+        let elements = (0..self.limit).filter_map(|element| {
+            let PartlySolvedElement { end, circle, .. } = self.part(element);
+            Some(SolvedFreeElement { end: end?, center: circle.map(|(center, _)| center) })
         });
         elements.collect()
+    }
+
+    /// What is known of an element.
+    fn part(&self, element: usize) -> PartlySolvedElement {
+        let end = self.points[element + 1].map(Vec2::to_array);
+        let (circle, direction_deg) = match self.carriers[element] {
+            None => (None, None),
+            Some(ElementCarrier::Circle { center, signed }) => {
+                (Some((center.to_array(), signed.abs())), None)
+            }
+            Some(ElementCarrier::Line { direction, .. }) => {
+                let degrees = libm::atan2(direction.b, direction.a).to_degrees();
+                (None, Some(degrees.rem_euclid(360.0)))
+            }
+        };
+        PartlySolvedElement { end, circle, direction_deg }
     }
 }
