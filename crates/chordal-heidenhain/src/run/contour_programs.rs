@@ -17,7 +17,10 @@ use crate::cycles::{
     rough_out_steps, side_finishing_steps, unreached_wall,
 };
 use crate::geometry::ContourElement;
-use crate::syntax::{KlartextBlock, KlartextLabel, KlartextStatement, PathFunction, PathWords};
+use crate::syntax::{
+    KlartextBlock, KlartextLabel, KlartextStatement, PathFunction, PathWords,
+    contains_ignoring_case,
+};
 
 /// The most contours of cycle 14.
 const MAX_CONTOURS: usize = 14;
@@ -63,7 +66,12 @@ impl KlartextInterpreter<'_> {
         if line == 0 {
             return;
         }
-        let labels = label_numbers(rest.slice(self.text()));
+        let text = rest.slice(self.text());
+        if text.contains(&b'"') || contains_ignoring_case(text, b"QS") {
+            let what = "labels with names in cycle 14 are not followed";
+            return self.not_followed(rest, what);
+        }
+        let labels = label_numbers(text);
         self.modes.contour_labels.extend(labels.into_iter().map(KlartextLabel::Number));
         if self.modes.contour_labels.len() > MAX_CONTOURS {
             let count = self.modes.contour_labels.len();
