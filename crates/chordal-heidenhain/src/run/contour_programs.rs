@@ -185,7 +185,7 @@ impl KlartextInterpreter<'_> {
     /// The contours of labels; `None` if one cannot be read, which is reported.
     fn read_contours(&mut self, labels: &[KlartextLabel]) -> Option<Vec<LabelContour>> {
         let (kept, here) = (self.modes.contour.clone(), self.here);
-        let kept_modes = self.modes.iso.clone();
+        let kept_modes = self.modes.iso;
         let contours = labels.iter().map(|label| self.read_contour(label)).collect();
         self.modes.contour = kept;
         self.modes.iso = kept_modes;
