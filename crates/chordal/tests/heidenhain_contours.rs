@@ -471,6 +471,15 @@ fn contours_are_shifted_turned_and_mirrored_with_the_coordinates() {
 }
 
 #[test]
+fn labels_with_names_are_said() {
+    let data = "CYCL DEF 14.0\nCYCL DEF 14.1 CONTOUR LABEL \"POCKET1\"\nCYCL DEF 20 Q1=-9 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0 Q9=1\n\
+        CYCL DEF 23 Q11=100 Q12=500";
+    let record = run(data, POCKET, 3.0);
+    assert!(errors(&record).iter().any(|own| own.contains("labels with names")));
+    assert!(record.seen.is_empty());
+}
+
+#[test]
 fn contours_in_patterns_are_said() {
     let data = "CYCL DEF 14.0\nCYCL DEF 14.1 CONTOUR LABEL1\nCYCL DEF 20 Q1=-9 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0 Q9=1\n\
         CYCL DEF 23 Q11=100 Q12=500\nCYCL DEF 220 Q216=0 Q217=0 Q244=20 Q241=3 Q246=360";

@@ -1,6 +1,5 @@
 //! Faces and ruled surfaces: cycles 230 to 232 (TNC 426/430 280 476, 8.7; TNC 640 cycle programming 34059x, 10.2 to
-//! 10.4). Ends, levels and limits are those of the control; where its lines lie between the first and the last is
-//! assumed.
+//! 10.4). Levels and ends are those of the control; where its lines lie in the plane is assumed.
 
 use super::levels::{MAX_CUTS, equal_parts, infeed_levels};
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};

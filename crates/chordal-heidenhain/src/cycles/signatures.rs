@@ -21,6 +21,8 @@ pub enum KlartextCycleRunner {
     Exact(CycleSteps),
     /// The same; the order of its moves, or some of them, are assumed.
     Assumed(CycleSteps),
+    /// The same; where its lines lie in the plane is assumed.
+    AssumedLines(CycleSteps),
     /// It runs where it is called, on the contours of cycle 14; the order of its moves is assumed.
     OnContours,
     /// It acts where it is defined.
@@ -58,6 +60,16 @@ const fn assumed(
     steps: CycleSteps,
 ) -> KlartextCycleSignature {
     KlartextCycleSignature { number, title, required, runner: KlartextCycleRunner::Assumed(steps) }
+}
+
+const fn assumed_lines(
+    number: u32,
+    title: &'static str,
+    required: &'static [u32],
+    steps: CycleSteps,
+) -> KlartextCycleSignature {
+    let runner = KlartextCycleRunner::AssumedLines(steps);
+    KlartextCycleSignature { number, title, required, runner }
 }
 
 const fn on_contours(
@@ -141,7 +153,7 @@ const CYCLE_SIGNATURES: &[KlartextCycleSignature] = &[
         &[200, 201, 206, 202, 207, 203, 216, 217, 223],
         wall_finishing_steps,
     ),
-    assumed(
+    assumed_lines(
         230,
         "multipass milling",
         &[225, 226, 227, 218, 219, 240, 206, 207, 209, 200],
@@ -153,7 +165,7 @@ const CYCLE_SIGNATURES: &[KlartextCycleSignature] = &[
         &[225, 226, 227, 228, 229, 230, 231, 232, 233, 234, 235, 236, 240, 207],
         ruled_surface_steps,
     ),
-    assumed(232, "face milling", &[225, 226, 227, 386, 218, 219, 202, 207, 200], face_steps),
+    assumed_lines(232, "face milling", &[225, 226, 227, 386, 218, 219, 202, 207, 200], face_steps),
     unfollowed(233, "face milling with side walls"),
     assumed(241, "single-lip deep-hole drilling", &[200, 201, 206, 203], single_lip_steps),
     assumed(251, "rectangular pocket", &[218, 219, 207, 201, 202, 206, 200, 203], pocket_steps),

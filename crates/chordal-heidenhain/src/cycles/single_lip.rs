@@ -33,16 +33,16 @@ pub fn single_lip_steps(
         end: clearance.max(surface + values.length(204)),
     };
     let mut steps = vec![KlartextCycleStep::Rapid(clearance)];
-    turn(values, 427, &mut steps);
+    turn_for_entry(values, &mut steps);
     if begin != surface {
         let to = begin + (clearance - surface);
         steps.push(KlartextCycleStep::Feed { to, feed: values.feed(253) });
     }
-    turn(values, 428, &mut steps);
+    turn_for_drilling(values, &mut steps);
     coolant(values, 429, &mut steps);
     drill(values, surface, sign, &levels, &mut steps)?;
     coolant(values, 430, &mut steps);
-    turn(values, 427, &mut steps);
+    turn_for_entry(values, &mut steps);
     steps.push(KlartextCycleStep::moved(clearance, values.retraction()));
     steps.push(KlartextCycleStep::Rapid(levels.end));
     Ok(steps)
@@ -82,18 +82,26 @@ fn drill(
     Ok(())
 }
 
-/// The spindle turns at a speed in the direction of Q426: 3, 4, or 5 for a standstill. Without Q426 it stays.
-fn turn(values: &CycleValues, speed: u32, steps: &mut Vec<KlartextCycleStep>) {
+/// The spindle for entry and exit turns in the direction of Q426: 3, 4, or 5 for a standstill. Without Q426 it stays.
+fn turn_for_entry(values: &CycleValues, steps: &mut Vec<KlartextCycleStep>) {
     let state = match values.number(426).round() as i64 {
         3 => SpindleState::Cw,
         4 => SpindleState::Ccw,
-        5 if speed == 427 => SpindleState::Off,
-        // The hole itself is drilled with a turning spindle.
-        5 => SpindleState::Cw,
+        5 => SpindleState::Off,
         _ => return,
     };
-    let rpm = values.has(speed).then(|| values.number(speed)).filter(|rpm| *rpm > 0.0);
-    steps.push(KlartextCycleStep::Turn { state, rpm });
+    steps.push(KlartextCycleStep::Turn { state, rpm: speed(values, 427) });
+}
+
+/// The hole itself is drilled clockwise, whatever the direction of the entry was.
+fn turn_for_drilling(values: &CycleValues, steps: &mut Vec<KlartextCycleStep>) {
+    if values.has(426) || values.has(428) {
+        steps.push(KlartextCycleStep::Turn { state: SpindleState::Cw, rpm: speed(values, 428) });
+    }
+}
+
+fn speed(values: &CycleValues, number: u32) -> Option<f64> {
+    Some(values.number(number)).filter(|rpm| *rpm > 0.0)
 }
 
 /// The coolant by the number of its M function.
@@ -101,5 +109,59 @@ fn coolant(values: &CycleValues, number: u32, steps: &mut Vec<KlartextCycleStep>
     let function = values.number(number);
     if values.has(number) && function.fract() == 0.0 && (0.0..1000.0).contains(&function) {
         steps.push(KlartextCycleStep::Coolant(function as u32));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeMap;
+
+    use super::*;
+
+    #[test]
+    fn the_spindle_turns_slowly_into_the_hole_and_clockwise_in_it() {
+        let context = CycleContext {
+            level: 50.0,
+            position: [0.0; 2],
+            tool_radius: None,
+            point_angle: None,
+            rpm: 100.0,
+            peck_stop: Some(0.2),
+            refuses_positive_depth: true,
+        };
+        let data = [
+            (200, 3.0),
+            (201, -80.0),
+            (206, 25.0),
+            (379, 16.0),
+            (253, 50.0),
+            (208, 300.0),
+            (426, 4.0),
+            (427, 50.0),
+            (428, 1790.0),
+            (429, 8.0),
+            (430, 9.0),
+        ];
+        let numbers: BTreeMap<u32, f64> = data.into_iter().collect();
+        let values = CycleValues::new(numbers, BTreeMap::new(), 1.0, 1.0 / 60.0);
+        let steps = single_lip_steps(241, &values, &context).expect("steps");
+        let turn = |state, rpm| KlartextCycleStep::Turn { state, rpm: Some(rpm) };
+        let feed = |to, per_min: f64| KlartextCycleStep::Feed {
+            to,
+            feed: CycleFeed::Speed(per_min / 60.0),
+        };
+        let expected = [
+            KlartextCycleStep::Rapid(3.0),
+            turn(SpindleState::Ccw, 50.0),
+            feed(-13.0, 50.0),
+            turn(SpindleState::Cw, 1790.0),
+            KlartextCycleStep::Coolant(8),
+            feed(-80.0, 25.0),
+            KlartextCycleStep::Coolant(9),
+            turn(SpindleState::Ccw, 50.0),
+            feed(3.0, 300.0),
+            KlartextCycleStep::Rapid(3.0),
+        ];
+        assert_eq!(steps, expected);
     }
 }

@@ -18,7 +18,10 @@ use crate::cycles::{
     rough_out_steps, side_finishing_steps, unreached_wall,
 };
 use crate::geometry::ContourElement;
-use crate::syntax::{KlartextBlock, KlartextLabel, KlartextStatement, PathFunction, PathWords};
+use crate::syntax::{
+    KlartextBlock, KlartextLabel, KlartextStatement, PathFunction, PathWords,
+    contains_ignoring_case,
+};
 
 /// The most contours of cycle 14.
 const MAX_CONTOURS: usize = 14;
@@ -64,7 +67,12 @@ impl KlartextInterpreter<'_> {
         if line == 0 {
             return;
         }
-        let labels = label_numbers(rest.slice(self.text()));
+        let text = rest.slice(self.text());
+        if text.contains(&b'"') || contains_ignoring_case(text, b"QS") {
+            let what = "labels with names in cycle 14 are not followed";
+            return self.not_followed(rest, what);
+        }
+        let labels = label_numbers(text);
         for number in &labels {
             if !self.running().labels.contains_key(&KlartextLabel::Number(*number)) {
                 let message = format!("the program has no label {number}");
@@ -186,7 +194,7 @@ impl KlartextInterpreter<'_> {
     /// The contours of labels; `None` if one cannot be read, which is reported.
     fn read_contours(&mut self, labels: &[KlartextLabel]) -> Option<Vec<LabelContour>> {
         let (kept, here) = (self.modes.contour.clone(), self.here);
-        let kept_modes = self.modes.iso.clone();
+        let kept_modes = self.modes.iso;
         let contours = labels.iter().map(|label| self.read_contour(label)).collect();
         self.modes.contour = kept;
         self.modes.iso = kept_modes;

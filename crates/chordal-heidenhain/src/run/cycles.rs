@@ -358,6 +358,13 @@ impl KlartextInterpreter<'_> {
                 self.report_assumed_path(number);
                 steps
             }
+            Some(KlartextCycleRunner::AssumedLines(steps)) => {
+                let what = format!(
+                    "the manuals do not say where the lines of cycle {number} begin and end: they are assumed"
+                );
+                self.assumed_once(&format!("lines of cycle {number}"), self.here, &what);
+                steps
+            }
             Some(KlartextCycleRunner::OnContours) => {
                 let what = format!(
                     "cycle {number} in a pattern is not followed: it works on contours at their own places"
