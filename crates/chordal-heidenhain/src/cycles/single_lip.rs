@@ -126,6 +126,7 @@ mod tests {
             tool_radius: None,
             point_angle: None,
             rpm: 100.0,
+            turns_left: false,
             peck_stop: Some(0.2),
             refuses_positive_depth: true,
         };
