@@ -3,8 +3,7 @@
 use chordal::Machine;
 use chordal::control::control_title;
 use chordal::machine::builtin_names;
-use chordal_editor::explain::{UnknownTerm, explain};
-use chordal_editor::meaning::ControlView;
+use chordal_editor::explain::{UnknownTerm, explain_on};
 use chordal_load::machine::own_file;
 use serde_json::{Value, json};
 
@@ -14,11 +13,8 @@ use crate::options::{ExplainOptions, MachineOptions, NoOptions};
 
 pub fn explanation(request: &mut LoadRequest) -> Result<QuestionAnswer, QuestionFailure> {
     let ExplainOptions { word, machine } = request.options()?;
-    let views = match machine {
-        Some(name) => ControlView::on(&request.machine(&name)?),
-        None => ControlView::all(),
-    };
-    match explain(&word, &views) {
+    let machine = machine.map(|name| request.machine(&name)).transpose()?;
+    match explain_on(&word, machine.as_ref()) {
         Ok(text) => Ok(QuestionAnswer::text(text)),
         Err(UnknownTerm { message, help }) => Err(QuestionFailure::plain(message, help)),
     }

@@ -1,7 +1,6 @@
 //! `chordal explain`: what a diagnostic, a code, a letter, a setting or an alarm means.
 
-use chordal_editor::explain::{UnknownTerm, explain};
-use chordal_editor::meaning::ControlView;
+use chordal_editor::explain::{UnknownTerm, explain_on};
 use chordal_load::machine;
 
 use crate::failure::{CommandFailure, ExitVerdict};
@@ -17,13 +16,14 @@ Examples:
   chordal explain L9601 -m fadal-4020         a letter whose number says something
   chordal explain \"Setting 40\"                a setting
   chordal explain PS0010                      an alarm of a control, by its number
-  chordal explain alarm 304                   or as the control shows it";
+  chordal explain alarm 304                   or as the control shows it
+  chordal explain CYCL DEF 200                a word of HEIDENHAIN or Sinumerik programs";
 
 /// Explains a message, a code, a letter, a setting or an alarm
 #[derive(clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Args {
-    /// `CH401`, `radius-mismatch`, `G2`, `G02.1`, `M17`, `R`, `L9601`, `"Setting 40"`, `alarm 304`
+    /// `CH401`, `radius-mismatch`, `G2`, `G02.1`, `M17`, `R`, `L9601`, `"Setting 40"`, `alarm 304`, `CYCLE83`
     #[arg(value_name = "CODE|WORD", required = true)]
     words: Vec<String>,
 
@@ -33,11 +33,8 @@ pub struct Args {
 }
 
 pub fn run(args: &Args) -> Result<ExitVerdict, CommandFailure> {
-    let views = match &args.machine {
-        Some(name) => ControlView::on(&machine::named(name)?),
-        None => ControlView::all(),
-    };
-    match explain(&args.words.join(" "), &views) {
+    let machine = args.machine.as_deref().map(machine::named).transpose()?;
+    match explain_on(&args.words.join(" "), machine.as_ref()) {
         Ok(text) => say(&text).map(|()| ExitVerdict::Clean),
         Err(UnknownTerm { message, help }) => Err(CommandFailure::Use { message, help }),
     }

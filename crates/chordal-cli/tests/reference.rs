@@ -23,6 +23,14 @@ fn a_message_by_number_or_name_with_the_alarms() {
 fn a_code_on_one_control_and_on_all() {
     says(&["explain", "G154"], &["G154 on Haas", "takes     P", "Not on Fadal CNC 88, Fanuc"]);
     says(&["explain", "g02.1"], &["G2.1 on Mitsubishi", "#1272 ex08/bit2"]);
+    says(
+        &["explain", "CYCL DEF 203"],
+        &["cycle 203: universal drilling", "Q213  number of chip breaks"],
+    );
+    says(&["explain", "Q214", "-m", "heidenhain-mill"], &["disengaging direction"]);
+    says(&["explain", "CYCLE83"], &["Sinumerik", "deep"]);
+    says(&["explain", "tool radius too large"], &["HEIDENHAIN TNC: TOOL RADIUS TOO LARGE"]);
+    says(&["explain", "M97"], &["on Haas", "HEIDENHAIN conversational: M97"]);
     says(&["explain", "M17", "-m", "fadal-4020"], &["M17 on Fadal CNC 88: end of a subroutine"]);
     says(&["explain", "G4", "-m", "haas-vf2"], &["P1 is 0.001 s, P1. is 1 s"]);
     says(

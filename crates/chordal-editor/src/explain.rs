@@ -1,8 +1,9 @@
 //! What a diagnostic, a code, a letter, a setting or an alarm means: from the registry and the tables,
 //! so that it is what the program itself goes by.
 
-use chordal::Code;
-use chordal::control::COMMON_SETTINGS;
+use chordal::control::{Alarms, COMMON_SETTINGS, control_profile, word_meanings};
+use chordal::machine::ControlName;
+use chordal::{Code, Machine};
 
 use crate::meaning::{
     ControlView, alarm_text, code_name, code_of, code_text, codes, diagnostic_text, letter_text,
@@ -27,14 +28,40 @@ pub struct UnknownTerm {
 /// # Errors
 /// A word that none of them knows, with the nearest one.
 pub fn explain(word: &str, views: &[ControlView]) -> Result<String, UnknownTerm> {
+    let alarms: Vec<Alarms> = views
+        .iter()
+        .map(|view| Alarms { title: view.table.title, texts: view.table.alarms })
+        .collect();
     let text = Code::find(word)
         .map(diagnostic_text)
         .or_else(|| code_of(word).and_then(|(letter, code)| code_text(letter, code, views)))
         .or_else(|| one_letter(word).and_then(|letter| letter_text(letter, views)))
         .or_else(|| setting_text(word, views))
-        .or_else(|| alarm_text(word, views))
+        .or_else(|| alarm_text(word, &alarms))
         .or_else(|| number_text(word, views));
     text.ok_or_else(|| unknown(word, views))
+}
+
+/// The same on one machine, or on all controls; also words of languages without tables of codes (`CYCL DEF 200`,
+/// `CYCLE83`) and the alarms of their controls.
+///
+/// # Errors
+/// A word that none of them knows, with the nearest one.
+pub fn explain_on(word: &str, machine: Option<&Machine>) -> Result<String, UnknownTerm> {
+    let views = machine.map_or_else(ControlView::all, ControlView::on);
+    let meanings = word_meanings(word, machine.map(|machine| machine.control));
+    let of_languages = meanings.iter().map(|(title, meaning)| format!("{title}: {meaning}\n"));
+    let of_languages: String = of_languages.collect();
+    let unknown = match explain(word, &views) {
+        Ok(text) if of_languages.is_empty() => return Ok(text),
+        Ok(text) => return Ok(format!("{}\n\n{of_languages}", text.trim_end())),
+        Err(unknown) => unknown,
+    };
+    let controls = machine.map_or_else(ControlName::all, |machine| vec![machine.control]);
+    let profiles = controls.into_iter().filter_map(control_profile);
+    let alarms: Vec<Alarms> = profiles.map(|profile| profile.alarms()).collect();
+    let of_languages = Some(of_languages).filter(|text| !text.is_empty());
+    alarm_text(word, &alarms).or(of_languages).ok_or(unknown)
 }
 
 /// G or M with a number, however large.
@@ -46,7 +73,7 @@ fn is_code(word: &str) -> bool {
 /// No control knows it: the nearest one that some control knows.
 fn unknown(word: &str, views: &[ControlView]) -> UnknownTerm {
     let titles: Vec<&str> = views.iter().map(|view| view.table.title).collect();
-    if is_code(word) {
+    if is_code(word) && !views.is_empty() {
         let name = word.to_uppercase();
         let message = match titles.as_slice() {
             [one] => format!("{one} does not have {name}"),
@@ -60,7 +87,9 @@ fn unknown(word: &str, views: &[ControlView]) -> UnknownTerm {
         });
         return UnknownTerm { message, help: near };
     }
-    if let Some(letter) = one_letter(word) {
+    if let Some(letter) = one_letter(word)
+        && !views.is_empty()
+    {
         let message = format!("{} has no meaning on {}", char::from(letter), titles.join(", "));
         return UnknownTerm { message, help: None };
     }

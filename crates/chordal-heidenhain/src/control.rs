@@ -19,6 +19,7 @@ use crate::alarms::TEXTS_OF_CODES;
 use crate::blank_form::blank_form;
 use crate::datum_table::{is_datum_table, is_preset_table, take_preset_table};
 use crate::defined_tools::defined_tools;
+use crate::editing::word_meaning;
 use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
@@ -178,6 +179,10 @@ impl ProgrammingLanguage for HeidenhainLanguage {
             Some(RapidShape::Straight) | None => rules.rapid,
         };
         Some((Arc::new(HeidenhainControl { rules, axes, settings }), refused))
+    }
+
+    fn word_meaning(&self, word: &str) -> Option<String> {
+        word_meaning(word)
     }
 
     fn has_program_line(&self, text: &[u8]) -> bool {

@@ -21,6 +21,7 @@ use crate::machine_tables::take_table;
 use crate::run::SinumerikPrograms;
 use crate::settings::SinumerikSettings;
 use crate::syntax::{BlockReader, StatementKind, is_table_text, units};
+use crate::vocabulary::meaning_of;
 use crate::writer::PartProgramWriter;
 
 /// The facts of the control.
@@ -219,6 +220,10 @@ impl ProgrammingLanguage for SinumerikLanguage {
         };
         let control = SinumerikControl { profile, rules, axes, settings };
         Some((Arc::new(control), refused))
+    }
+
+    fn word_meaning(&self, word: &str) -> Option<String> {
+        meaning_of(&word.trim().to_ascii_uppercase())
     }
 
     fn has_program_line(&self, text: &[u8]) -> bool {

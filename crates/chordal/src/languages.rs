@@ -48,6 +48,17 @@ pub fn configured_control(
     all().find_map(|language| language.configure(machine))
 }
 
+/// What a word does in the languages that have it, each with its title: in that of one control, or in all.
+pub fn word_meanings(word: &str, control: Option<ControlName>) -> Vec<(&'static str, String)> {
+    let is_meant = |language: &&'static dyn ProgrammingLanguage| {
+        control.is_none_or(|control| language.profile(control).is_some())
+    };
+    let meaning = |language: &'static dyn ProgrammingLanguage| {
+        Some((language.title(), language.word_meaning(word)?))
+    };
+    all().filter(is_meant).filter_map(meaning).collect()
+}
+
 /// Whether some line of a text begins like a line of a program in some language.
 pub fn has_program_line(text: &[u8]) -> bool {
     all().any(|language| language.has_program_line(text))

@@ -38,7 +38,7 @@ pub mod control {
 
     pub use crate::languages::{
         configured_control, control_profile, control_title, has_program_line, recognize,
-        register_language,
+        register_language, word_meanings,
     };
 }
 

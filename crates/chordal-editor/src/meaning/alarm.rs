@@ -1,26 +1,27 @@
 //! What an alarm of a control means: the messages that stand for it.
 
 use chordal::Code;
+use chordal::control::Alarms;
 
-use super::{ControlView, without_places};
+use super::without_places;
 
 /// A text of an alarm that is looked for has at least so many letters.
 const MIN_LETTERS: usize = 8;
 
 /// An alarm by its number (`alarm 304`, `PS0010`, `P70`) or by its text, on each control that has it; `None`
 /// where no control shows such an alarm for what Chordal finds.
-pub fn alarm_text(word: &str, views: &[ControlView]) -> Option<String> {
+pub fn alarm_text(word: &str, controls: &[Alarms]) -> Option<String> {
     let word = word.trim().to_uppercase();
     let mut text = String::new();
-    for view in views {
-        for (alarm, codes) in alarms(view) {
+    for control in controls {
+        for (alarm, codes) in texts(control) {
             if !is_meant(&word, &alarm.to_uppercase()) {
                 continue;
             }
             if !text.is_empty() {
                 text.push('\n');
             }
-            text.push_str(&format!("{}: {}\n", view.table.title, without_places(alarm)));
+            text.push_str(&format!("{}: {}\n", control.title, without_places(alarm)));
             for code in codes {
                 let info = code.info();
                 text.push_str(&format!("\n  {} {}: {}\n", info.id, info.name, info.summary));
@@ -35,9 +36,9 @@ pub fn alarm_text(word: &str, views: &[ControlView]) -> Option<String> {
 }
 
 /// The alarms of a control, each with the messages that it stands for.
-fn alarms(view: &ControlView) -> Vec<(&'static str, Vec<Code>)> {
+fn texts(control: &Alarms) -> Vec<(&'static str, Vec<Code>)> {
     let mut alarms: Vec<(&str, Vec<Code>)> = Vec::new();
-    for &(code, text) in view.table.alarms {
+    for &(code, text) in control.texts {
         match alarms.iter_mut().find(|(known, _)| *known == text) {
             Some((_, codes)) => codes.push(code),
             None => alarms.push((text, vec![code])),
@@ -71,12 +72,17 @@ fn number(text: &str) -> Option<(&str, u32)> {
 
 #[cfg(test)]
 mod tests {
+    use chordal::control::control_profile;
+    use chordal::machine::ControlName;
+
     use super::*;
 
     #[test]
     fn alarms_are_found_by_number_and_by_text() {
-        let views = ControlView::all();
-        let found = |word: &str| alarm_text(word, &views).unwrap_or_default();
+        let profiles = ControlName::all().into_iter().filter_map(control_profile);
+        let controls: Vec<Alarms> = profiles.map(|profile| profile.alarms()).collect();
+        let found = |word: &str| alarm_text(word, &controls).unwrap_or_default();
+        assert!(found("circle end pos").contains("HEIDENHAIN TNC: CIRCLE END POS. INCORRECT"));
         assert!(
             found("PS0010").starts_with("Fanuc: PS0010 IMPROPER G-CODE\n"),
             "{}",

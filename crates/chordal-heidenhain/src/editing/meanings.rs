@@ -3,6 +3,7 @@
 use chordal_diagnostics::TextRange;
 
 use super::cycle_title;
+use super::cycle_words::CYCLE_WORDS;
 use super::numbers::{machine_function_meaning, numbered_function_meaning, parameter_meaning};
 use super::vocabulary::meaning_of;
 use crate::syntax::{KlartextToken, KlartextTokenKind, LineReader, scan_tokens};
@@ -17,6 +18,43 @@ pub fn meaning_at(text: &[u8], at: u32) -> Option<(TextRange, String)> {
         let KlartextTokenKind::Word(word) = &tokens[index].kind else { return None };
         Some((tokens[index].range, meaning_of(word)?.to_string()))
     })
+}
+
+/// What a word that stands alone means: `CYCL DEF 200` with its data, `Q214`, `M99`, `FN 9`, `APPR LCT`.
+pub fn word_meaning(text: &str) -> Option<String> {
+    let text = text.trim().to_ascii_uppercase();
+    let mut tokens = Vec::new();
+    scan_tokens(text.as_bytes(), TextRange::new(0, text.len() as u32), &mut tokens);
+    let cycle = match tokens.as_slice() {
+        [first, .., last] if matches!(word(first)?, "CYCL" | "CYCLE" | "DEF") => whole(last),
+        _ => None,
+    };
+    if let Some(number) = cycle {
+        return cycle_meaning(number);
+    }
+    let parameter = match tokens.as_slice() {
+        [letter, number] if word(letter)? == "Q" => whole(number),
+        _ => None,
+    };
+    if let Some(meaning) = parameter.and_then(parameter_meaning) {
+        return Some(format!("{text}, as data of a cycle: {meaning}"));
+    }
+    let numbered = tokens.len() > 1 && whole(&tokens[1]).is_some();
+    match numbered {
+        true => self::numbered(&tokens, 0).map(|(_, meaning)| meaning),
+        false => Some(format!("{text}: {}", meaning_of(word(tokens.first()?)?)?)),
+    }
+}
+
+/// The name of a cycle, and a line for each of its data.
+fn cycle_meaning(number: u32) -> Option<String> {
+    let mut meaning = format!("cycle {number}: {}", title(number)?);
+    let words = CYCLE_WORDS.iter().find(|(own, _)| *own == number).map(|(_, words)| *words);
+    for word in words.unwrap_or_default() {
+        let what = parameter_meaning(*word).unwrap_or("");
+        meaning.push_str(&format!("\n  Q{word}  {what}"));
+    }
+    Some(meaning)
 }
 
 fn word(token: &KlartextToken) -> Option<&str> {
@@ -85,5 +123,24 @@ mod tests {
         // A parameter of a calculation has no fixed meaning.
         assert_eq!(meaning(text, "Q200 = 5").as_deref(), Some("a parameter"));
         assert_eq!(meaning(text, "+5"), None);
+    }
+
+    #[test]
+    fn words_that_stand_alone_are_explained() {
+        let cycle = word_meaning("CYCL DEF 200").expect("a cycle");
+        assert!(cycle.starts_with("cycle 200: drilling\n  Q200  set-up clearance"), "{cycle}");
+        let direction =
+            "Q214, as data of a cycle: disengaging direction: 0 none, 1 -a, 2 -b, 3 +a, 4 +b";
+        assert_eq!(word_meaning("q214").as_deref(), Some(direction));
+        assert_eq!(
+            word_meaning("M99").as_deref(),
+            Some("M99: runs the cycle at the end of this block")
+        );
+        assert_eq!(word_meaning("FN 0").as_deref(), Some("FN 0: sets a parameter"));
+        let approach = "APPR LCT: approaches a contour: LT, LN, CT or LCT";
+        assert_eq!(word_meaning("APPR LCT").as_deref(), Some(approach));
+        assert_eq!(word_meaning("CYCL DEF 999"), None);
+        assert_eq!(word_meaning(""), None);
+        assert_eq!(word_meaning("WOBBLE 5"), None);
     }
 }

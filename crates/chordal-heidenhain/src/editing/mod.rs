@@ -9,7 +9,7 @@ mod vocabulary;
 use chordal_kernel::WordCompletion;
 
 use cycle_words::CYCLE_WORDS;
-pub use meanings::meaning_at;
+pub use meanings::{meaning_at, word_meaning};
 use numbers::parameter_meaning;
 pub use symbols::text_symbols;
 use vocabulary::VOCABULARY;

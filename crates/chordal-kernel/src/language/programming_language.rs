@@ -34,6 +34,13 @@ pub trait ProgrammingLanguage: fmt::Debug + Sync {
         machine: &Machine,
     ) -> Option<(Arc<dyn ConfiguredControl>, Vec<SettingError>)>;
 
+    /// What a word of the language does, such as `CYCL DEF 200` or `CYCLE83`; `None` for a word that it does not have,
+    /// and where the tables of codes say it.
+    fn word_meaning(&self, word: &str) -> Option<String> {
+        let _ = word;
+        None
+    }
+
     /// Whether some line of a text begins like a line of a program. Used for files that the user did not name.
     fn has_program_line(&self, text: &[u8]) -> bool;
 
