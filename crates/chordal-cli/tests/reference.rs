@@ -29,6 +29,7 @@ fn a_code_on_one_control_and_on_all() {
     );
     says(&["explain", "Q214", "-m", "heidenhain-mill"], &["disengaging direction"]);
     says(&["explain", "CYCLE83"], &["Sinumerik", "deep"]);
+    says(&["explain", "label number not found"], &["CH202"]);
     says(&["explain", "tool radius too large"], &["HEIDENHAIN TNC: TOOL RADIUS TOO LARGE"]);
     says(&["explain", "M97"], &["on Haas", "HEIDENHAIN conversational: M97"]);
     says(&["explain", "M17", "-m", "fadal-4020"], &["M17 on Fadal CNC 88: end of a subroutine"]);

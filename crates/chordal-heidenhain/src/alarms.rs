@@ -47,9 +47,13 @@ pub const DATUM_NUMBER_MISSING: &str = "DATUM NUMBER NOT FOUND";
 /// A word stands twice in a block.
 pub const DOUBLE_PROGRAMMED: &str = "AXIS DOUBLE PROGRAMMED";
 
-/// The texts of problems that the stages after the language find.
+/// The texts of problems that always have the same one, and of those that the stages after the language find.
 pub const TEXTS_OF_CODES: &[(Code, &str)] = &[
     (Code::MissingFeed, FEED_MISSING),
+    (Code::MissingLabel, LABEL_NOT_FOUND),
+    (Code::NestingTooDeep, NESTING),
+    (Code::DivisionByZero, ARITHMETICAL_ERROR),
+    (Code::OutsideDomain, ARITHMETICAL_ERROR),
     (Code::RadiusMismatch, CIRCLE_END),
     (Code::CornerTooLarge, ROUNDING_TOO_LARGE),
     (Code::CornerBlock, ROUNDING_UNDEFINED),
