@@ -101,6 +101,8 @@ fn rotary_axes_choose_the_machine() {
         ("L A+0 C+0 FMAX", "heidenhain-ac-trunnion"),
         ("L X+10 IC+30 FMAX", "heidenhain-ac-trunnion"),
         ("C+20 F500 M128", "heidenhain-ac-trunnion"),
+        ("L X+10 B+12.5 C-30 FMAX", "heidenhain-bc-trunnion"),
+        ("B+12.357 C+5.896 F1000 M128", "heidenhain-bc-trunnion"),
     ] {
         let loaded = labelled::load(&text(line));
         assert_eq!(loaded.control(), "heidenhain", "{line}");

@@ -202,3 +202,14 @@ fn half_a_free_contour_has_an_answer() {
                 FL X+5 Y+5 AN+225\nL Z+50 R0 FMAX\nM30\nEND PGM A MM\n";
     assert!(!run("a.h", text).problems.is_empty());
 }
+
+#[test]
+fn loops_with_values_that_are_not_known_end() {
+    let text = "BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F500\nL X+0 Y+0 Z+5 R0 FMAX M3\nQ1 = 0\nLBL 1\nQ1 = Q1 + Q108\n\
+                FN 11: IF +Q1 GT +20 GOTO LBL 2\nL IX+1\nFN 9: IF +0 EQU +0 GOTO LBL 1\nLBL 2\nL X+50\nM30\nEND PGM A MM\n";
+    let found = run("a.h", text);
+    let codes: Vec<_> = found.problems.iter().map(|(_, code)| *code).collect();
+    assert!(!codes.contains(&"CH211") && codes.contains(&"CH727"), "{codes:?}");
+    assert_eq!(found.ends.last().map(|end| end[0]), Some(50.0));
+    assert!(run_on(tool_10(), "a.h", text).problems.is_empty());
+}

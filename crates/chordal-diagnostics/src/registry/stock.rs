@@ -128,8 +128,8 @@ the program. Give `[stock]` in a setup file to use another one."#;
 
     StockCommentDoubted = 673, "stock-comment-doubted", Warning;
     "the stock that the program gives does not fit its cuts";
-    r#"The stock was taken from the program, and the program removes nothing of it, or cuts far below it (more than twice
-its height and 30 mm). Programs are edited and keep the head of an older one: the stock, or its zero, is probably another,
+    r#"The stock was taken from the program, and the program removes nothing of it, or cuts far below it (more than three times
+its height and 80 mm). Programs are edited and keep the head of an older one: the stock, or its zero, is probably another,
 or a depth has a figure too much. Nothing is proved about it. Give `[stock]` in a setup file."#;
 
     MachineCollision = 680, "machine-collision", Error;

@@ -47,6 +47,14 @@ const SIGNS: &[RecognitionEvidence] = &[
         "M128, TCPM or PLANE is for a machine with rotary axes",
     )
     .on("heidenhain-ac-trunnion"),
+    evidence(
+        RecognitionSign::Code(&[" B+", " B-", " IB+", " IB-", "B+Q121"]),
+        5,
+        "B turns, so that the tables are B and C",
+    )
+    .on("heidenhain-bc-trunnion"),
+    evidence(RecognitionSign::Block("B M128"), 5, "M128 stands with B")
+        .on("heidenhain-bc-trunnion"),
     evidence(RecognitionSign::Block("A|C M128"), 2, "M128 stands with a rotary axis")
         .on("heidenhain-ac-trunnion"),
     evidence(

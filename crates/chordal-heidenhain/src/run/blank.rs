@@ -17,10 +17,10 @@ const POINTS_OF_RAPID: usize = 33;
 const CHORDS_OF_ARC: usize = 24;
 
 /// A cut that ends so many times the height of the blank below it is a mistake.
-const BLANK_HEIGHTS: f64 = 2.0;
+const BLANK_HEIGHTS: f64 = 3.0;
 
 /// The same for a flat blank, mm.
-const MIN_DEPTH_BELOW_MM: f64 = 30.0;
+const MIN_DEPTH_BELOW_MM: f64 = 80.0;
 
 /// The radius of a tool whose radius is not given, so that no rapid is reported for what is not known, mm.
 const UNKNOWN_RADIUS_MM: f64 = 30.0;

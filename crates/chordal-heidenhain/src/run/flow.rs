@@ -9,8 +9,11 @@ use super::run_state::{KlartextFlow, ReturnPlace};
 use crate::alarms::{LABEL_NOT_FOUND, LABEL_ZERO, NESTING};
 use crate::syntax::{
     JumpComparison, JumpCondition, KlartextLabel, KlartextStatement, LineReader, ParameterBank,
-    WordOperand, block_of_lines, contains_ignoring_case,
+    ParameterName, WordOperand, block_of_lines, contains_ignoring_case,
 };
+
+/// How often a condition with a value that is not known is taken as not fulfilled before it is taken as fulfilled.
+const MAX_UNFULFILLED: u32 = 100;
 
 /// The largest number of a label.
 const MAX_LABEL: u32 = 65_535;
@@ -209,8 +212,13 @@ impl KlartextInterpreter<'_> {
         let range = self.here;
         let holds = match condition {
             JumpCondition::Defined(name, _) if self.parameters.is_unknown(*name) => {
-                self.report_unset(range, *name);
-                return KlartextFlow::Next;
+                self.assume_condition(*name)
+            }
+            JumpCondition::Compared(first, _, second)
+                if self.unknown_operand([*first, *second]).is_some() =>
+            {
+                self.unknown_operand([*first, *second])
+                    .is_some_and(|name| self.assume_condition(name))
             }
             JumpCondition::Defined(name, is_defined) => {
                 self.parameters.is_set(*name) == *is_defined
@@ -239,6 +247,36 @@ impl KlartextInterpreter<'_> {
             }
             None => KlartextFlow::End(EndReason::LostJump),
         }
+    }
+
+    /// The parameter among two values whose value is not known here.
+    fn unknown_operand(&self, operands: [WordOperand; 2]) -> Option<ParameterName> {
+        operands.into_iter().find_map(|operand| match operand {
+            WordOperand::Parameter { name, .. } => (self.parameters.number(name).is_none()
+                && self.parameters.is_unknown(name))
+            .then_some(name),
+            WordOperand::Number(_) => None,
+        })
+    }
+
+    /// Assumes a condition that depends on a value that is not known here: not fulfilled, until it has been asked so
+    /// often that only its fulfilment can end a loop.
+    fn assume_condition(&mut self, name: ParameterName) -> bool {
+        let range = self.here;
+        let times = self.modes.assumed_conditions.entry((self.file(), range.start)).or_insert(0);
+        *times += 1;
+        let is_fulfilled = *times > MAX_UNFULFILLED;
+        let shown = super::problems::shown_parameter(name);
+        if self.is_first_report(&format!("condition at {}", range.start)) {
+            let message = format!(
+                "this depends on {shown}, which is not known here: it is taken as not fulfilled"
+            );
+            let diagnostic = Diagnostic::new(Code::AssumedBranch, self.span(range), message)
+                .label("from here on the path is assumed")
+                .help("assign it at the start of the program to prove what follows");
+            self.kernel.report(diagnostic);
+        }
+        is_fulfilled
     }
 
     /// CALL PGM.

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, VecDeque};
 
 use chordal_command::{CallPath, Position};
-use chordal_diagnostics::TextRange;
+use chordal_diagnostics::{FileId, TextRange};
 use chordal_geometry::{Plane, TurnDirection, Vec2};
 use chordal_kernel::EndReason;
 use chordal_kernel::frames::{FrameMap, InPlane};
@@ -231,6 +231,8 @@ pub struct KlartextModes {
     pub has_corner: bool,
     /// A jump, a call or a repeat has gone back: from here on blocks count against the budget.
     pub has_jumped_back: bool,
+    /// How often each condition was asked whose values are not known, by its file and its first byte.
+    pub assumed_conditions: BTreeMap<(FileId, u32), u32>,
     /// The first corner of BLK FORM.
     pub blank: Option<[Option<f64>; 3]>,
     /// The blank, and what was cut of it.
@@ -271,6 +273,7 @@ impl Default for KlartextModes {
             opens_corner: false,
             has_corner: false,
             has_jumped_back: false,
+            assumed_conditions: BTreeMap::new(),
             blank: None,
             blank_record: BlankRecord::default(),
             has_tool: false,
