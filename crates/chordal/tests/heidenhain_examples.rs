@@ -392,3 +392,18 @@ fn example_32_feeds_of_inch_programs() {
     let feed = record.0.last().and_then(|own| own.feed).expect("a feed");
     near([feed / 25.4], [200.0]);
 }
+
+#[test]
+fn patterns_are_drilled_point_by_point() {
+    let moves = run_with_tool(
+        3.0,
+        [0.0, 0.0],
+        "L Z+50 FMAX\nCYCL DEF 200 Q200=2 Q201=-5 Q206=100 Q202=5 Q210=0 Q203=+0 Q204=50 Q211=0\n\
+         PATTERN DEF ROW1 (X+25 Y+33,5 D+8 NUM3 ROT+90 Z+0) CIRC1 (X+100 Y+50 D40 START+0 NUM4 Z-2)\nCYCL CALL PAT FMAX",
+    );
+    let is_bottom = |own: &&KlartextMove| own.feed.is_some();
+    let holes: Vec<[f64; 3]> = moves.iter().filter(is_bottom).map(|own| own.to).collect();
+    assert_eq!(holes.len(), 7, "{holes:?}");
+    near(holes[2], [25.0, 49.5, -5.0]);
+    near(holes[4], [100.0, 70.0, -7.0]);
+}

@@ -1,6 +1,7 @@
 //! What the cycles do, as steps along the axis of the tool and in its plane. No program and no kernel is needed.
 
 mod contours;
+mod defined_patterns;
 mod drilling;
 mod faces;
 mod input_ranges;
@@ -20,6 +21,7 @@ mod values;
 pub use contours::{
     TrainSide, contour_train_steps, rough_out_steps, side_finishing_steps, unreached_wall,
 };
+pub use defined_patterns::DefinedPattern;
 pub use drilling::parameter_cycle_steps;
 pub use input_ranges::refused_range;
 pub use old_cycles::{OldCycle, OldCycleData, old_cycle_lines, old_cycle_steps};

@@ -5,18 +5,19 @@ use std::collections::BTreeMap;
 use chordal_command::{AxisMask, CompensationSide, FeedMode, SpindleState};
 use chordal_diagnostics::{Code, Diagnostic, Severity, TextRange};
 use chordal_geometry::TurnDirection;
+use chordal_kernel::EndReason;
 
 use super::interpreter::KlartextInterpreter;
 use super::program_texts::called_name;
 use super::run_state::{CycleNumber, DataValue, KlartextFlow, StoredCycle};
 use crate::alarms::{CYCLE_INCOMPLETE, TOOL_TOO_LARGE};
 use crate::cycles::{
-    CycleContext, CycleFeed, CycleValues, KlartextCycleFault, KlartextCycleRunner,
+    CycleContext, CycleFeed, CycleValues, DefinedPattern, KlartextCycleFault, KlartextCycleRunner,
     KlartextCycleStep, OldCycle, OldCycleData, cycle_signature, old_cycle_lines, old_cycle_steps,
     old_pocket_steps, old_slot_steps, pattern_points, refused_range,
 };
 use crate::syntax::{
-    CycleValue, CycleWord, KlartextStatement, ParameterBank, ParameterName, PathWords,
+    CycleValue, CycleWord, KlartextStatement, ParameterBank, ParameterName, PathWords, PatternGroup,
 };
 
 /// The parameters that a pattern gives to the cycle before it.
@@ -240,6 +241,59 @@ impl KlartextInterpreter<'_> {
         if matches!(called, KlartextFlow::End(_)) { called } else { flow }
     }
 
+    /// The points of a group of PATTERN DEF, mm, and its surface; `None` if that is reported.
+    fn pattern_of_group(&mut self, group: &PatternGroup) -> Option<(Vec<[f64; 2]>, f64)> {
+        let unit = self.unit_mm();
+        let (a, b, normal) = self.tool_plane().axes();
+        let mut first = [0.0; 3];
+        let mut pattern = DefinedPattern::default();
+        for (name, value) in &group.words {
+            let Some(value) = self.operand(*value, group.range) else { continue };
+            match ["X", "Y", "Z"].iter().position(|axis| axis == name) {
+                Some(axis) => first[axis] = value * unit,
+                None => {
+                    let is_length = matches!(name.as_str(), "D" | "DX" | "DY");
+                    let value = if is_length { value * unit } else { value };
+                    pattern.words.push((name.clone(), value));
+                }
+            }
+        }
+        let own = match group.name.as_str() {
+            "POS" => Ok(Some(vec![[0.0; 2]])),
+            kind => pattern.points(kind),
+        };
+        match own {
+            Ok(Some(points)) => {
+                if matches!(group.name.as_str(), "PAT" | "FRAME") {
+                    self.report_assumed_order(&group.name);
+                }
+                let at = |[x, y]: [f64; 2]| [first[a] + x, first[b] + y];
+                Some((points.into_iter().map(at).collect(), first[normal]))
+            }
+            Ok(None) => {
+                let what = format!("{} of PATTERN DEF is not followed", group.name);
+                self.not_followed_once(&format!("pattern {}", group.name), group.range, &what);
+                None
+            }
+            Err(fault) => {
+                self.report_cycle(fault);
+                None
+            }
+        }
+    }
+
+    /// Says once that the order of the points of a pattern is assumed.
+    fn report_assumed_order(&mut self, pattern: &str) {
+        if self.is_first_report(&format!("order of {pattern}")) {
+            let message = format!(
+                "no manual gives the order of the points of {pattern}: lines to and fro are assumed"
+            );
+            let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
+            self.kernel
+                .report(diagnostic.help("the holes are those of the control; the time may differ"));
+        }
+    }
+
     /// CYCL CALL PAT: the cycle at each point of PATTERN DEF.
     pub(super) fn cycle_at_pattern(&mut self, words: &PathWords) -> KlartextFlow {
         self.functions_at_start(words);
@@ -249,28 +303,21 @@ impl KlartextInterpreter<'_> {
             let message = "CYCL CALL PAT needs PATTERN DEF before it";
             self.problem(Code::MissingWord, self.here, message);
         }
-        let (a, b, normal) = self.tool_plane().axes();
-        let unit = self.unit_mm();
+        let (a, b, _) = self.tool_plane().axes();
         for group in groups {
-            if group.name != "POS" {
-                let what = format!("{} of PATTERN DEF is not followed", group.name);
-                self.not_followed_once(&format!("pattern {}", group.name), group.range, &what);
-                continue;
-            }
-            let mut point = [0.0; 3];
-            for (name, value) in &group.words {
-                let axis = ["X", "Y", "Z"].iter().position(|axis| axis == name);
-                if let (Some(axis), Some(value)) = (axis, self.operand(*value, group.range)) {
-                    point[axis] = value * unit;
+            let Some((points, surface)) = self.pattern_of_group(&group) else { continue };
+            for point in points {
+                let start = self.programmed();
+                let mut place = [start[0], start[1], start[2]];
+                (place[a], place[b]) = (point[0], point[1]);
+                self.rapid_to(place, AxisMask(1 << a | 1 << b));
+                let called = self.call_cycle_at(surface);
+                if matches!(called, KlartextFlow::End(_)) {
+                    return called;
                 }
-            }
-            let start = self.programmed();
-            let mut place = [start[0], start[1], start[2]];
-            (place[a], place[b]) = (point[a], point[b]);
-            self.rapid_to(place, AxisMask(1 << a | 1 << b));
-            let called = self.call_cycle_at(point[normal]);
-            if matches!(called, KlartextFlow::End(_)) {
-                return called;
+                if !self.kernel.count_repeated() {
+                    return KlartextFlow::End(EndReason::Budget);
+                }
             }
         }
         self.functions_at_end(&words.functions)
@@ -502,7 +549,7 @@ impl KlartextInterpreter<'_> {
                 StoredCycle::Program { .. } => {}
             }
             if !self.kernel.count_repeated() {
-                return KlartextFlow::End(chordal_kernel::EndReason::Budget);
+                return KlartextFlow::End(EndReason::Budget);
             }
         }
         KlartextFlow::Next
