@@ -11,7 +11,7 @@ use chordal_kernel::rules::{
 };
 use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, DefinedTool, ProgramName, ProgramSet,
-    ProgramWriter, ProgrammingLanguage, RunOptions, SettingError,
+    ProgramWriter, ProgrammingLanguage, RunOptions, SettingError, VocabularyGroup,
 };
 use chordal_machine::{AXES, Body, ControlName, Machine, RapidShape};
 
@@ -19,7 +19,7 @@ use crate::alarms::TEXTS_OF_CODES;
 use crate::blank_form::blank_form;
 use crate::datum_table::{is_datum_table, is_preset_table, take_preset_table};
 use crate::defined_tools::defined_tools;
-use crate::editing::word_meaning;
+use crate::editing::{vocabulary_groups, word_meaning};
 use crate::recognition::begins_like_klartext;
 use crate::run::{KlartextPrograms, called_program_names, program_head};
 use crate::settings::HeidenhainSettings;
@@ -183,6 +183,10 @@ impl ProgrammingLanguage for HeidenhainLanguage {
 
     fn word_meaning(&self, word: &str) -> Option<String> {
         word_meaning(word)
+    }
+
+    fn vocabulary_groups(&self) -> Vec<VocabularyGroup> {
+        vocabulary_groups()
     }
 
     fn has_program_line(&self, text: &[u8]) -> bool {

@@ -58,9 +58,9 @@ pub use language::{
     HoleMotion, InterruptCheck, MIN_LIKELY_WEIGHT, Outcome, PostedKind, PostedProgram, PostedStep,
     ProgramName, ProgramPlace, ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition,
     RunOptions, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, StartingModes,
-    TappedHole, TextSymbol, TextSymbolKind, Token, TokenClass, WordCompletion, WriterNote,
-    WriterOptions, WrittenLengths, WrittenLine, WrittenProgram, are_same_motions, is_same_level,
-    plain_number, significant_number, time_number, written_effect,
+    TappedHole, TextSymbol, TextSymbolKind, Token, TokenClass, VocabularyGroup, WordCompletion,
+    WriterNote, WriterOptions, WrittenLengths, WrittenLine, WrittenProgram, are_same_motions,
+    is_same_level, plain_number, significant_number, time_number, written_effect,
 };
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};

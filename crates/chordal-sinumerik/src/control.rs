@@ -12,16 +12,17 @@ use chordal_kernel::rules::{
 };
 use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, ProgramName, ProgramSet, ProgramWriter,
-    ProgrammingLanguage, RunOptions, SettingError,
+    ProgrammingLanguage, RunOptions, SettingError, VocabularyGroup, WordCompletion,
 };
 use chordal_machine::{AXES, ControlName, Machine, RapidShape};
 
 use crate::alarms::listed_text;
+use crate::cycles::{CYCLES, CycleSignature};
 use crate::machine_tables::take_table;
 use crate::run::SinumerikPrograms;
 use crate::settings::SinumerikSettings;
 use crate::syntax::{BlockReader, StatementKind, is_table_text, units};
-use crate::vocabulary::meaning_of;
+use crate::vocabulary::{meaning_of, words};
 use crate::writer::PartProgramWriter;
 
 /// The facts of the control.
@@ -224,6 +225,24 @@ impl ProgrammingLanguage for SinumerikLanguage {
 
     fn word_meaning(&self, word: &str) -> Option<String> {
         meaning_of(&word.trim().to_ascii_uppercase())
+    }
+
+    fn vocabulary_groups(&self) -> Vec<VocabularyGroup> {
+        let row = |word: &str, meaning: String| WordCompletion { word: word.into(), meaning };
+        let cycle = |cycle: &CycleSignature| {
+            let names: Vec<&str> = cycle.parameters.iter().map(|own| own.name).collect();
+            row(cycle.name, format!("{}: {}", cycle.title, names.join(", ")))
+        };
+        vec![
+            VocabularyGroup {
+                title: "Words",
+                words: words().map(|(word, meaning)| row(word, meaning.to_string())).collect(),
+            },
+            VocabularyGroup {
+                title: "Cycles, with their parameters in order",
+                words: CYCLES.iter().map(cycle).collect(),
+            },
+        ]
     }
 
     fn has_program_line(&self, text: &[u8]) -> bool {

@@ -6,7 +6,7 @@ use chordal_gcode::WordAddressLanguage;
 use chordal_heidenhain::HeidenhainLanguage;
 use chordal_kernel::{
     ConfiguredControl, ControlCandidate, ControlProfile, ProgrammingLanguage, Recognition,
-    SettingError,
+    SettingError, VocabularyGroup,
 };
 use chordal_machine::{ControlName, Machine};
 use chordal_sinumerik::SinumerikLanguage;
@@ -46,6 +46,12 @@ pub fn configured_control(
     machine: &Machine,
 ) -> Option<(Arc<dyn ConfiguredControl>, Vec<SettingError>)> {
     all().find_map(|language| language.configure(machine))
+}
+
+/// The words of the language of a control by what they are; none where the tables of codes have them.
+pub fn vocabulary_groups(control: ControlName) -> Vec<VocabularyGroup> {
+    let language = all().find(|language| language.profile(control).is_some());
+    language.map(|language| language.vocabulary_groups()).unwrap_or_default()
 }
 
 /// What a word does in the languages that have it, each with its title: in that of one control, or in all.

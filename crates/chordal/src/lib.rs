@@ -32,13 +32,13 @@ pub mod control {
         ProgramPlace, ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition, RunOptions,
         RunSink, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm,
         StartingModes, StateItem, StateValue, TappedHole, TextSymbol, TextSymbolKind, Token,
-        TokenClass, ToolValue, TurnPass, WordCompletion, WriterNote, WriterOptions, WrittenLine,
-        WrittenProgram, is_same_level,
+        TokenClass, ToolValue, TurnPass, VocabularyGroup, WordCompletion, WriterNote,
+        WriterOptions, WrittenLine, WrittenProgram, is_same_level,
     };
 
     pub use crate::languages::{
         configured_control, control_profile, control_title, has_program_line, recognize,
-        register_language, word_meanings,
+        register_language, vocabulary_groups, word_meanings,
     };
 }
 

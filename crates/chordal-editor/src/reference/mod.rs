@@ -5,10 +5,12 @@
 
 mod control;
 mod diagnostics;
+mod language;
 mod machine_files;
 mod unsupported_codes;
 
-use chordal::control::CONTROLS;
+use chordal::control::{CONTROLS, control_profile, vocabulary_groups};
+use chordal::machine::ControlName;
 
 /// A page: its path below the root of the project, and its text.
 pub type ReferencePage = (String, String);
@@ -23,6 +25,13 @@ pub fn pages() -> Vec<ReferencePage> {
     for table in CONTROLS {
         pages.push((format!("docs/reference/controls/{}.md", table.name), control::page(table)));
     }
+    for control in ControlName::ALL {
+        let groups = vocabulary_groups(*control);
+        if let (Some(profile), false) = (control_profile(*control), groups.is_empty()) {
+            let path = format!("docs/reference/controls/{}.md", profile.name);
+            pages.push((path, language::page(&profile, &groups)));
+        }
+    }
     pages
 }
 
@@ -36,6 +45,15 @@ fn index_of_controls() -> String {
         let page = format!("[{}](controls/{}.md)", table.title, table.name);
         let names = [table.name, table.default_machine].map(|name| format!("`{name}`"));
         text += &table_row(&[&[page][..], &names].concat());
+    }
+    for control in ControlName::ALL {
+        if let (Some(profile), false) =
+            (control_profile(*control), vocabulary_groups(*control).is_empty())
+        {
+            let page = format!("[{}](controls/{}.md)", profile.title, profile.name);
+            let names = [profile.name, profile.default_machine].map(|name| format!("`{name}`"));
+            text += &table_row(&[&[page][..], &names].concat());
+        }
     }
     text
 }

@@ -6,11 +6,11 @@ mod numbers;
 mod symbols;
 mod vocabulary;
 
-use chordal_kernel::WordCompletion;
+use chordal_kernel::{VocabularyGroup, WordCompletion};
 
 use cycle_words::CYCLE_WORDS;
 pub use meanings::{meaning_at, word_meaning};
-use numbers::parameter_meaning;
+use numbers::{MACHINE_FUNCTIONS, NUMBERED_FUNCTIONS, PARAMETERS, parameter_meaning};
 pub use symbols::text_symbols;
 use vocabulary::VOCABULARY;
 
@@ -27,6 +27,29 @@ pub fn completions() -> Vec<WordCompletion> {
         meaning: cycle_title(*number).to_string(),
     });
     VOCABULARY.iter().map(word).chain(cycles).collect()
+}
+
+/// The words of the language by what they are, for a reference page.
+pub fn vocabulary_groups() -> Vec<VocabularyGroup> {
+    let row = |word: String, meaning: &str| WordCompletion { word, meaning: meaning.to_string() };
+    let numbered = |letter: &str, all: &[(u32, &str)]| -> Vec<WordCompletion> {
+        all.iter().map(|(number, meaning)| row(format!("{letter}{number}"), meaning)).collect()
+    };
+    let cycle = |(number, words): &(u32, &[u32])| {
+        let data: Vec<String> = words.iter().map(|word| format!("Q{word}")).collect();
+        row(format!("CYCL DEF {number}"), &format!("{}: {}", cycle_title(*number), data.join(" ")))
+    };
+    let words = VOCABULARY.iter().map(|(word, meaning)| row(word.to_string(), meaning));
+    vec![
+        VocabularyGroup { title: "Words", words: words.collect() },
+        VocabularyGroup {
+            title: "Cycles, with their data in the order of the control",
+            words: CYCLE_WORDS.iter().map(cycle).collect(),
+        },
+        VocabularyGroup { title: "Data of cycles", words: numbered("Q", PARAMETERS) },
+        VocabularyGroup { title: "M functions", words: numbered("M", MACHINE_FUNCTIONS) },
+        VocabularyGroup { title: "FN functions", words: numbered("FN ", NUMBERED_FUNCTIONS) },
+    ]
 }
 
 /// The name of a cycle; empty for one that is not known.

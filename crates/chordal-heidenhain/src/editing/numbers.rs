@@ -1,7 +1,7 @@
 //! Numbers with a meaning: parameters of cycles, M functions, FN functions.
 
 /// The parameters of cycles (TNC 640 cycle programming 34059x).
-const PARAMETERS: &[(u32, &str)] = &[
+pub const PARAMETERS: &[(u32, &str)] = &[
     (1, "milling depth: from the surface, incremental; negative is down"),
     (2, "path overlap: by which the tool radius is multiplied"),
     (3, "finishing allowance for side"),
@@ -129,7 +129,7 @@ const PARAMETERS: &[(u32, &str)] = &[
 ];
 
 /// M functions that are carried out or noted.
-const MACHINE_FUNCTIONS: &[(u32, &str)] = &[
+pub const MACHINE_FUNCTIONS: &[(u32, &str)] = &[
     (0, "program stop"),
     (1, "optional stop"),
     (2, "end of program"),
@@ -158,7 +158,7 @@ const MACHINE_FUNCTIONS: &[(u32, &str)] = &[
 ];
 
 /// FN functions.
-const NUMBERED_FUNCTIONS: &[(u32, &str)] = &[
+pub const NUMBERED_FUNCTIONS: &[(u32, &str)] = &[
     (0, "sets a parameter"),
     (1, "adds"),
     (2, "subtracts"),

@@ -40,7 +40,7 @@ pub use recognition::{
     ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, MIN_LIKELY_WEIGHT, Recognition,
 };
 pub use run_options::{InterruptCheck, RunOptions};
-pub use tokens::{TextSymbol, TextSymbolKind, Token, TokenClass, WordCompletion};
+pub use tokens::{TextSymbol, TextSymbolKind, Token, TokenClass, VocabularyGroup, WordCompletion};
 pub use written_words::{
     CoolantChange, WrittenLengths, plain_number, significant_number, time_number, written_effect,
 };

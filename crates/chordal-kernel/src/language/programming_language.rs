@@ -7,6 +7,7 @@ use chordal_machine::{ControlName, Machine};
 
 use super::configured_control::{ConfiguredControl, ControlProfile};
 use super::recognition::ControlCandidate;
+use super::tokens::VocabularyGroup;
 
 /// Why a setting of a machine was refused.
 #[derive(Clone, Debug, PartialEq)]
@@ -39,6 +40,11 @@ pub trait ProgrammingLanguage: fmt::Debug + Sync {
     fn word_meaning(&self, word: &str) -> Option<String> {
         let _ = word;
         None
+    }
+
+    /// The words of the language by what they are; none where the tables of codes have them.
+    fn vocabulary_groups(&self) -> Vec<VocabularyGroup> {
+        Vec::new()
     }
 
     /// Whether some line of a text begins like a line of a program. Used for files that the user did not name.

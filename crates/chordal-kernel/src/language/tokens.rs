@@ -93,6 +93,15 @@ pub struct TextSymbol {
     pub body: TextRange,
 }
 
+/// Words of a language that belong together, for a reference page.
+#[derive(Clone, PartialEq, Eq, Debug)]
+pub struct VocabularyGroup {
+    /// What they are: `Cycles`.
+    pub title: &'static str,
+    /// Each word, and what it does in one line.
+    pub words: Vec<WordCompletion>,
+}
+
 /// A word that can be written at a place.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct WordCompletion {
