@@ -213,3 +213,11 @@ fn loops_with_values_that_are_not_known_end() {
     assert_eq!(found.ends.last().map(|end| end[0]), Some(50.0));
     assert!(run_on(tool_10(), "a.h", text).problems.is_empty());
 }
+
+#[test]
+fn a_corner_after_a_move_to_an_unknown_place_is_no_alarm() {
+    let text = "BEGIN PGM A MM\nTOOL CALL 1 Z S1000 F500\nL X+0 Y+0 Z+5 R0 FMAX M3\nL X+QR1 FAUTO\nRND R2\nL Y+50\nM30\n\
+                END PGM A MM\n";
+    let codes: Vec<_> = run_on(tool_10(), "a.h", text).problems.iter().map(|own| own.1).collect();
+    assert_eq!(codes, ["CH727"]);
+}

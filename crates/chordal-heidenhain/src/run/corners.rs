@@ -1,6 +1,6 @@
 //! RND and CHF: blocks of their own, which change the end of the move before them.
 
-use chordal_command::Origin;
+use chordal_command::{AxisMask, Origin};
 use chordal_diagnostics::{Code, Diagnostic, TextRange};
 use chordal_kernel::{CornerForm, ProgrammedCorner};
 
@@ -100,7 +100,9 @@ impl KlartextInterpreter<'_> {
             let message = format!("the size of {name} is {value}: it must be above zero");
             return self.bad_value(size.range, message, "the control finds the side by itself");
         }
-        if !had_move {
+        // A move that goes to a place that is not known here is no element, and none is missing.
+        let is_lost = self.kernel.state.astray != AxisMask::NONE;
+        if !had_move && !is_lost {
             let message = format!("no element of the contour comes before this {name}");
             let diagnostic = Diagnostic::new(Code::CornerBlock, self.span(range), message);
             let help = "write it between two elements that cut in the plane";
