@@ -102,6 +102,8 @@ pub(super) struct MatchLevel {
     pub(super) rolling: AxisMask,
     /// The axes that in one of the programs have not moved yet: nobody knows where they stand when the new one begins.
     pub(super) unmoved: AxisMask,
+    /// Items that no block of the language takes from those before it.
+    pub(super) free_items: &'static [StateItem],
 }
 
 /// Where two runs are first not the same.
@@ -485,7 +487,9 @@ fn different_state(
     let known = one.known.and(other.known).without(unmoved);
     let machine = one.machine_known.and(other.machine_known).without(unmoved);
     let kept = [&*one.kept, &*other.kept];
-    if let Some(name) = different_item(kept, |item| is_compared(item, kept, settled)) {
+    if let Some(name) = different_item(kept, |item| {
+        !care.free_items.contains(&item) && is_compared(item, kept, settled)
+    }) {
         return Some(name);
     }
     let same = |one, other, known| same_place(one, other, known, care.rolling);
