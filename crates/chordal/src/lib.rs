@@ -34,7 +34,7 @@ pub mod control {
         RunSink, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm,
         StartingModes, StateItem, StateValue, TappedHole, TextSymbol, TextSymbolKind, Token,
         TokenClass, ToolValue, TurnPass, UnrepeatedCode, WordCompletion, WriterNote, WriterOptions, WrittenLine,
-        WrittenProgram, is_same_level,
+        WrittenOffset, WrittenProgram, is_same_level,
     };
 
     pub use crate::languages::{

@@ -34,7 +34,9 @@ pub(super) fn begin_by_language(
         return Err(RestartRefusal { reason: RefusalReason::Form, refusal });
     };
     let written = written.map_err(refuse)?;
-    if let Some((what, help)) = doubt_before(job, written.block) {
+    // In which order a cycle has cut counts no more where it is done.
+    let report = job.check();
+    if let Some((what, help)) = doubt_before(job, &report, report.path_lost_from, written.block) {
         return Err(refuse(RestartFault { obstacle: RefusalReason::Unsure, what, help }));
     }
     let unproved =
@@ -89,14 +91,14 @@ fn prove(job: &Job, written: &RestartedText) -> Result<u64, String> {
     }
     let places = ReplacedRange { kept, from: begins, contours: moved.clone() };
     let (old, trace) = (EventTrace::of(job, ran), EventTrace::of(&new, new_ran));
-    if let Some(what) = old.begins_otherwise(&trace, written.approaches) {
-        return Err(format!("{what} is another one where the program begins"));
-    }
     let care = MatchLevel {
         exact: !written.approaches,
         free_items: written.free_items,
         ..MatchLevel::default()
     };
+    if let Some(what) = old.begins_otherwise(&trace, care) {
+        return Err(format!("{what} is another one where the program begins"));
+    }
     match old.unlike(&trace, &places, care) {
         Some(unlike) => Err(format!("line {} would not do the same: {}", unlike.line, unlike.what)),
         None => Ok(old.moves),

@@ -22,7 +22,7 @@ use chordal::control::{Action, CompensationSide, FrameKinds, Modal, MotionMode, 
 use chordal::diagnostics::FileId;
 use chordal::stock::{ApproachCheck, StockRunError, TurnedOptions};
 use chordal::syntax::Letters;
-use chordal::{Job, Severity};
+use chordal::{Job, Report, Severity};
 
 use self::by_language::begin_by_language;
 use self::head::{HeadError, HeadWriter};
@@ -317,7 +317,8 @@ impl RestartRequest<'_, '_> {
 
     /// The program is followed, without an error, up to the block.
     fn verified(&self, at: usize) -> Result<(), RestartRefusal> {
-        let doubt = doubt_before(self.job, self.source.start_of(at));
+        let report = self.job.check();
+        let doubt = doubt_before(self.job, &report, report.not_verified_from, self.source.start_of(at));
         doubt.map_or(Ok(()), |(what, help)| Err(self.refuse(RefusalReason::Unsure, what, help)))
     }
 
@@ -461,10 +462,10 @@ impl RestartRequest<'_, '_> {
         }
         let old = EventTrace::of(self.job, draft.ran);
         let trace = EventTrace::of(&new, ran);
-        if let Some(what) = old.begins_otherwise(&trace, draft.approaches) {
+        let care = MatchLevel { exact: !draft.approaches, ..MatchLevel::default() };
+        if let Some(what) = old.begins_otherwise(&trace, care) {
             return Err(unproved(format!("{what} is another one where the program begins")));
         }
-        let care = MatchLevel { exact: !draft.approaches, ..MatchLevel::default() };
         if let Some(unlike) = old.unlike(&trace, &places, care) {
             let what = format!("line {} would not do the same: {}", unlike.line, unlike.what);
             return Err(unproved(what));
@@ -511,14 +512,19 @@ impl RestartRequest<'_, '_> {
     }
 }
 
-/// Why the program is not followed, without an error, up to a byte, and what to do; nothing where it is.
-fn doubt_before(job: &Job, start: u32) -> Option<(String, String)> {
-    let report = job.check();
+/// Why the program is not followed, without an error, up to a byte, and what to do; nothing where it is. `lost` is where the
+/// report says that it is not.
+fn doubt_before(
+    job: &Job,
+    report: &Report,
+    lost: Option<chordal::Span>,
+    start: u32,
+) -> Option<(String, String)> {
     let is_before = |span: chordal::Span| span.file != FileId(0) || span.range.start < start;
     let line_of = |span: chordal::Span| {
         job.sources().get(span.file).map_or(0, |source| source.line_of(span.range.start))
     };
-    if let Some(span) = report.not_verified_from.filter(|span| is_before(*span)) {
+    if let Some(span) = lost.filter(|span| is_before(*span)) {
         let line = line_of(span);
         let what = format!("the path is not verified from line {line} on");
         return Some((what, format!("begin before line {line}")));

@@ -4,6 +4,7 @@ use chordal_command::SpindleState;
 use chordal_geometry::Plane;
 use chordal_kernel::significant_number;
 
+use super::approach::PlaceWriter;
 use super::definitions::{Definition, DefinitionSlot};
 use super::values::exact_number;
 use super::watch::StateAtBlock;
@@ -14,10 +15,10 @@ use crate::run::transformations::Transformation;
 pub(super) struct HeadFault(pub String);
 
 /// Digits after the point of lengths that a control keeps, in mm and in inches.
-const LENGTH_DIGITS: [usize; 2] = [5, 6];
+pub(super) const LENGTH_DIGITS: [usize; 2] = [5, 6];
 
 /// Digits after the point of angles and factors.
-const ANGLE_DIGITS: usize = 6;
+pub(super) const ANGLE_DIGITS: usize = 6;
 
 /// Digits after the point of feeds and speeds.
 const FEED_DIGITS: usize = 9;
@@ -30,6 +31,8 @@ pub(super) struct KlartextHeadWriter<'h> {
     pub state: &'h StateAtBlock,
     /// The parameters that the rest reads, as blocks.
     pub parameters: Vec<String>,
+    /// Q parameters that are free for places.
+    pub free_parameters: Vec<u32>,
     /// The block that the program begins at calls a tool.
     pub calls_tool: bool,
 }
@@ -56,18 +59,17 @@ impl KlartextHeadWriter<'_> {
             }
         }
         lines.extend(self.functions());
-        lines.extend(if self.calls_tool { Vec::new() } else { self.approach()? });
-        lines.extend(self.poles());
+        let mut places = PlaceWriter::of(self);
+        let approach = if self.calls_tool { Vec::new() } else { self.approach(&mut places)? };
+        let poles = self.poles(&mut places);
+        lines.append(&mut places.lines);
+        lines.extend(approach);
+        lines.extend(poles);
         if self.state.modes.calls_each_block {
             lines.push("M89".into());
         }
         lines.extend(self.parameters.iter().cloned());
         Ok(lines)
-    }
-
-    /// The head does not go to the place of the tool.
-    pub fn approaches(&self) -> bool {
-        self.calls_tool || !(0..6).any(|axis| self.takes_part(axis))
     }
 
     fn definition(
@@ -88,24 +90,12 @@ impl KlartextHeadWriter<'_> {
     }
 
     /// A length in program units.
-    fn length(&self, mm: f64) -> Option<String> {
+    pub(super) fn length(&self, mm: f64) -> Option<String> {
         let (unit, digits) = match self.state.modes.is_inch {
             true => (25.4, LENGTH_DIGITS[1]),
             false => (1.0, LENGTH_DIGITS[0]),
         };
         exact_number(mm / unit, digits)
-    }
-
-    /// A coordinate; its digits must be all that the control keeps.
-    fn place(&self, axis: usize, value: f64) -> Result<String, HeadFault> {
-        let letter = crate::syntax::AXIS_WORDS[axis];
-        let text = match axis {
-            3.. => exact_number(value.to_degrees(), ANGLE_DIGITS),
-            _ => self.length(value),
-        };
-        text.map(|text| format!("{letter}{text}")).ok_or_else(|| {
-            HeadFault(format!("the position in {letter} has more decimals than a block takes"))
-        })
     }
 
     /// TOOL CALL, and the tool that is made ready after it.
@@ -199,7 +189,7 @@ impl KlartextHeadWriter<'_> {
         }
     }
 
-    fn tool_plane(&self) -> Plane {
+    pub(super) fn tool_plane(&self) -> Plane {
         self.state.modal.plane
     }
 
@@ -213,7 +203,7 @@ impl KlartextHeadWriter<'_> {
     }
 
     /// The spindle and the coolant.
-    fn running(&self) -> [Option<&'static str>; 3] {
+    pub(super) fn running(&self) -> [Option<&'static str>; 3] {
         let modal = &self.state.modal;
         let spindle = match modal.spindle {
             SpindleState::Off => None,
@@ -224,91 +214,8 @@ impl KlartextHeadWriter<'_> {
         [spindle, modal.coolant.flood.then_some("M8"), modal.coolant.mist.then_some("M7")]
     }
 
-    /// Whether the head brings an axis to its place: the program has moved it.
-    fn takes_part(&self, axis: usize) -> bool {
-        let modal = &self.state.modal;
-        let (a, b, _) = self.tool_plane().axes();
-        let moved = |axis: usize| modal.known.has(axis) && !modal.unmoved.has(axis);
-        // In a turned plane both axes move together.
-        let is_plain = self.state.modes.chain.list().is_empty();
-        moved(axis) || !is_plain && [a, b].contains(&axis) && (moved(a) || moved(b))
-    }
-
-    /// The tool axis to where the program has been clear, the other axes over the place, then down by feed.
-    fn approach(&self) -> Result<Vec<String>, HeadFault> {
-        let StateAtBlock { modal, modes, noted, .. } = self.state;
-        let (a, b, normal) = self.tool_plane().axes();
-        let lost = (0..6).find(|axis| !modal.known.has(*axis) && !modal.unmoved.has(*axis) && modal.machine_known.has(*axis));
-        if let Some(axis) = lost {
-            let letter = crate::syntax::AXIS_WORDS[axis];
-            return Err(HeadFault(format!("the position in {letter} is not known")));
-        }
-        let place = modes.frame.programmed(&modal.position);
-        let mut above = modal.position;
-        above[normal] = noted.highest.max(modal.position[normal]);
-        let above = modes.frame.programmed(&above)[normal];
-        let goes_down = (above - place[normal]).abs() > 1e-6;
-        let mut lines = Vec::new();
-        let [spindle, flood, mist] = self.running();
-        if self.takes_part(normal) {
-            lines.push(match noted.to_machine[normal] {
-                Some(_) => self.machine_line(&[normal])?,
-                None if goes_down => format!("L {} R0 FMAX", self.height(normal, above)),
-                None => format!("L {} R0 FMAX", self.place(normal, place[normal])?),
-            });
-        }
-        let others = |linear: bool, by_machine: bool| -> Vec<usize> {
-            let axes: &[usize] = if linear { &[a, b] } else { &[3, 4, 5] };
-            let is_own = |axis: &&usize| {
-                self.takes_part(**axis) && noted.to_machine[**axis].is_some() == by_machine
-            };
-            axes.iter().filter(is_own).copied().collect()
-        };
-        for linear in [false, true] {
-            let by_machine = others(linear, true);
-            if !by_machine.is_empty() {
-                lines.push(self.machine_line(&by_machine)?);
-            }
-            let plain = others(linear, false);
-            if !plain.is_empty() {
-                let words: Result<Vec<String>, HeadFault> =
-                    plain.iter().map(|axis| self.place(*axis, place[*axis])).collect();
-                lines.push(format!("L {} R0 FMAX", words?.join(" ")));
-            }
-        }
-        add_word(&mut lines, 0, spindle);
-        let last = lines.len().saturating_sub(1);
-        add_word(&mut lines, last, flood);
-        add_word(&mut lines, last, mist);
-        let feed = self.feed();
-        if self.takes_part(normal) && noted.to_machine[normal].is_none() && goes_down {
-            let word = self.place(normal, place[normal])?;
-            lines.push(format!("L {word} R0 {}", feed.as_deref().unwrap_or("FMAX")));
-        } else if let Some(feed) = feed {
-            lines.push(format!("L R0 {feed}"));
-        }
-        Ok(lines)
-    }
-
-    /// A height above the place; what the block takes is near enough.
-    fn height(&self, axis: usize, mm: f64) -> String {
-        let unit = if self.state.modes.is_inch { 25.4 } else { 1.0 };
-        let text = chordal_kernel::plain_number(mm / unit, LENGTH_DIGITS[0]);
-        let sign = if text.starts_with('-') { "" } else { "+" };
-        format!("{}{sign}{text}", crate::syntax::AXIS_WORDS[axis])
-    }
-
-    /// A rapid to places of the machine.
-    fn machine_line(&self, axes: &[usize]) -> Result<String, HeadFault> {
-        let StateAtBlock { modal, noted, .. } = self.state;
-        let words: Result<Vec<String>, HeadFault> =
-            axes.iter().map(|axis| self.place(*axis, modal.machine_position[*axis])).collect();
-        let function = axes.iter().find_map(|axis| noted.to_machine[*axis]).unwrap_or(91);
-        Ok(format!("L {} R0 FMAX M{function}", words?.join(" ")))
-    }
-
     /// F of the blocks before.
-    fn feed(&self) -> Option<String> {
+    pub(super) fn feed(&self) -> Option<String> {
         use chordal_command::FeedMode;
         let StateAtBlock { modal, modes, .. } = self.state;
         let feed = modal.feed?;
@@ -320,32 +227,5 @@ impl KlartextHeadWriter<'_> {
             FeedMode::PerTime | FeedMode::InverseTime => ("F", feed * per_minute),
         };
         Some(format!("{word}{}", significant_number(value, FEED_DIGITS)))
-    }
-
-    /// CC and FPOL. One whose digits no block takes is left out: the proof fails where the rest needs it.
-    fn poles(&self) -> Vec<String> {
-        let contour = &self.state.modes.contour;
-        let (a, b, _) = contour.center_plane.unwrap_or(self.tool_plane()).axes();
-        let words = |values: [(usize, Option<f64>); 2]| {
-            let named = values.iter().filter_map(|(axis, value)| Some((*axis, (*value)?)));
-            let words: Option<Vec<String>> =
-                named.map(|(axis, value)| self.place(axis, value).ok()).collect();
-            words.filter(|words| !words.is_empty()).map(|words| words.join(" "))
-        };
-        let center = words([(a, contour.center[a]), (b, contour.center[b])]);
-        let (a, b, _) = self.tool_plane().axes();
-        let pole = self.state.modes.free_pole;
-        let pole = pole.and_then(|[first, second]| words([(a, Some(first)), (b, Some(second))]));
-        let center = center.map(|words| format!("CC {words}"));
-        center.into_iter().chain(pole.map(|words| format!("FPOL {words}"))).collect()
-    }
-}
-
-/// Adds a word to a line, or as a line of its own where there is none.
-fn add_word(lines: &mut Vec<String>, at: usize, word: Option<&str>) {
-    let Some(word) = word else { return };
-    match lines.get_mut(at) {
-        Some(line) => *line += &format!(" {word}"),
-        None => lines.push(word.to_string()),
     }
 }

@@ -1,8 +1,10 @@
 //! A program that begins at one of its lines: the text with the blocks that the control needs there. Nothing is proved here.
 //!
 //! `source` finds the block, `watch` runs up to it and notes what holds there (`definitions`, `functions`), `labels` finds the
-//! subprograms that stand before it and are called after it, `head` writes the blocks, with numbers as `values` has them.
+//! subprograms that stand before it and are called after it, `head` writes the blocks, `approach` the
+//! moves among them, with numbers as `values` has them.
 
+mod approach;
 mod definitions;
 mod functions;
 mod head;
@@ -22,7 +24,7 @@ use chordal_kernel::{
 
 use self::head::{HeadFault, KlartextHeadWriter};
 use self::source::{BeginPlace, SourceText, fault};
-use self::values::{add_reads, parameter_number};
+use self::values::{add_names, add_reads, parameter_number};
 use self::watch::{StateAtBlock, WatchedRun};
 use super::interpreter::KlartextInterpreter;
 use super::program_texts::{KlartextTexts, file_stem};
@@ -31,8 +33,11 @@ use crate::syntax::{KlartextStatement, LineReader, ParameterBank, ParameterName}
 /// What to do where the program begins at a line anyway.
 const RUN_IT: &str = "run the program itself";
 
-/// What every block says itself: how it moves.
-const FREE_ITEMS: &[StateItem] = &[StateItem::Motion];
+/// How it moves every block says itself, and the data of a tool every TOOL CALL sets anew.
+const FREE_ITEMS: &[StateItem] = &[StateItem::Motion, StateItem::Tables];
+
+/// The parameters that every control leaves to programs.
+const FREE_PARAMETERS: Range<u32> = 1..100;
 
 /// The text of a program so that it begins at a line.
 ///
@@ -145,6 +150,21 @@ impl KlartextRestart<'_, '_> {
         Ok(lines)
     }
 
+    /// Q parameters that no program here names or has set, for places with more decimals than a block takes.
+    fn free_parameters(&self, state: &StateAtBlock) -> Vec<u32> {
+        let mut named = BTreeSet::new();
+        for text in self.texts.texts.iter().map(|own| self.texts.text(own.file)) {
+            for lines in LineReader::new(text) {
+                add_names(text, &lines.parts, &mut named);
+            }
+        }
+        let is_free = |number: &u32| {
+            let name = ParameterName { bank: ParameterBank::Shared, number: *number };
+            !named.contains(&name) && !state.parameters.is_set(name)
+        };
+        FREE_PARAMETERS.rev().filter(is_free).collect()
+    }
+
     fn written(
         &self,
         state: &StateAtBlock,
@@ -156,7 +176,8 @@ impl KlartextRestart<'_, '_> {
             _ => false,
         };
         let parameters = self.parameters(state, sections)?;
-        let head = KlartextHeadWriter { state, parameters, calls_tool };
+        let free_parameters = self.free_parameters(state);
+        let head = KlartextHeadWriter { state, parameters, free_parameters, calls_tool };
         let lines = head.lines().map_err(|HeadFault(what)| {
             let help = "begin at another line, best at a TOOL CALL";
             fault(RestartObstacle::Form, what, help)

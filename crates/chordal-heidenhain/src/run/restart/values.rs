@@ -99,6 +99,11 @@ pub(super) fn add_reads(text: &[u8], parts: &[TextRange], reads: &mut BTreeSet<P
     reads.extend(read.map(|place| place.name));
 }
 
+/// Adds the parameters that a text names.
+pub(super) fn add_names(text: &[u8], parts: &[TextRange], names: &mut BTreeSet<ParameterName>) {
+    names.extend(parameters_in(text, parts).into_iter().map(|place| place.name));
+}
+
 /// The text of a block with values in place of the parameters that it reads, and without its number; `None` where one has no
 /// value.
 pub(super) fn text_with_values(
