@@ -3,7 +3,8 @@
 use chordal_diagnostics::{FileId, SourceMap, TextRange};
 use chordal_kernel::{
     Checkpoint, CompletedRun, ConfiguredControl, ProgramName, ProgramPlace, ProgramSet,
-    RestartFault, RestartedText, RunOptions, RunSink, TextSymbol, Token, TokenClass, WordCompletion,
+    RestartFault, RestartedText, RunOptions, RunSink, TextSymbol, Token, TokenClass,
+    WordCompletion,
 };
 use chordal_machine::Machine;
 

@@ -69,7 +69,10 @@ fn with_head_of(
         let what = "the text from this line on, or before the head, is another one";
         return Err((what.into(), "change the lines of the head alone".into()));
     }
-    written.begins[1] = (provided.len() - rest.len()) as u32;
+    let begin = std::mem::replace(&mut written.begins[1], (provided.len() - rest.len()) as u32);
+    for (_, place) in written.moved.iter_mut().filter(|(_, place)| *place >= begin) {
+        *place = *place - begin + written.begins[1];
+    }
     written.text = provided.to_vec();
     Ok(written)
 }

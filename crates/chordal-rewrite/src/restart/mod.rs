@@ -318,7 +318,8 @@ impl RestartRequest<'_, '_> {
     /// The program is followed, without an error, up to the block.
     fn verified(&self, at: usize) -> Result<(), RestartRefusal> {
         let report = self.job.check();
-        let doubt = doubt_before(self.job, &report, report.not_verified_from, self.source.start_of(at));
+        let doubt =
+            doubt_before(self.job, &report, report.not_verified_from, self.source.start_of(at));
         doubt.map_or(Ok(()), |(what, help)| Err(self.refuse(RefusalReason::Unsure, what, help)))
     }
 

@@ -500,7 +500,9 @@ fn different_state(
     let known = one.known.and(other.known).without(unmoved);
     let machine = one.machine_known.and(other.machine_known).without(unmoved);
     let kept = [&*one.kept, &*other.kept];
-    if let Some(name) = different_item(kept, care.free_items, |item| is_compared(item, kept, settled)) {
+    if let Some(name) =
+        different_item(kept, care.free_items, |item| is_compared(item, kept, settled))
+    {
         return Some(name);
     }
     let same = |one, other, known| same_place(one, other, known, care.rolling);
@@ -523,14 +525,16 @@ fn different_item(
 ) -> Option<&'static str> {
     let [one, other] = both;
     let mut items = one.items.iter().zip(&other.items);
-    let is_other = |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| {
-        match (free.contains(item), item) {
+    let is_other =
+        |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| match (
+            free.contains(item),
+            item,
+        ) {
             _ if !counts(*item) => false,
             (true, StateItem::Tables) => one.tool_entry() != other.tool_entry(),
             (true, _) => false,
             (false, _) => !is_same_value(a, b),
-        }
-    };
+        };
     items.find(is_other).map(|((item, _), _)| item.word())
 }
 

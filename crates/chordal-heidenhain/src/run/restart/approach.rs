@@ -1,46 +1,16 @@
 //! The moves of a head: the tool axis to where the program has been clear, the other axes over the place, then down.
 
-use super::head::{ANGLE_DIGITS, HeadFault, KlartextHeadWriter, LENGTH_DIGITS};
-use super::values::{exact_number, parameter_number};
+use super::head::KlartextHeadWriter;
+use super::places::{ANGLE_DIGITS, HeadFault, LENGTH_DIGITS, PlaceWriter};
+use super::values::exact_number;
 use super::watch::StateAtBlock;
 use crate::syntax::AXIS_WORDS;
 
 /// How far above a place the tool goes down to it, mm.
 const MIN_DESCENT_MM: f64 = 1e-6;
 
-/// Writes coordinates; those with more decimals than a block takes through parameters.
-pub(super) struct PlaceWriter {
-    /// The blocks that set them.
-    pub lines: Vec<String>,
-    free: std::vec::IntoIter<u32>,
-}
-
-impl PlaceWriter {
-    pub fn of(head: &KlartextHeadWriter<'_>) -> PlaceWriter {
-        PlaceWriter { lines: Vec::new(), free: head.free_parameters.clone().into_iter() }
-    }
-
-    /// The word of an axis; a value that `literal` does not write stands in a parameter.
-    fn word(
-        &mut self,
-        axis: usize,
-        literal: Option<String>,
-        value: f64,
-    ) -> Result<String, HeadFault> {
-        let letter = AXIS_WORDS[axis];
-        if let Some(number) = literal {
-            return Ok(format!("{letter}{number}"));
-        }
-        let number = self.free.next().ok_or_else(|| {
-            HeadFault(format!("the position in {letter} has more decimals than a block takes"))
-        })?;
-        self.lines.push(format!("FN 0: Q{number} = {}", parameter_number(value)));
-        Ok(format!("{letter}+Q{number}"))
-    }
-}
-
 impl KlartextHeadWriter<'_> {
-    /// The head does not go to the place of the tool.
+    /// The head does not go to the height of the tool.
     pub fn approaches(&self) -> bool {
         let is_lost = (0..6).any(|axis| self.is_lost(axis));
         self.calls_tool || is_lost || !(0..6).any(|axis| self.takes_part(axis))
@@ -61,7 +31,12 @@ impl KlartextHeadWriter<'_> {
     }
 
     /// The value of a coordinate in program units, with its text where a block takes all its digits.
-    fn place(&self, axis: usize, value: f64, places: &mut PlaceWriter) -> Result<String, HeadFault> {
+    fn place(
+        &self,
+        axis: usize,
+        value: f64,
+        places: &mut PlaceWriter,
+    ) -> Result<String, HeadFault> {
         if axis < 3 {
             let unit = if self.state.modes.is_inch { 25.4 } else { 1.0 };
             return places.word(axis, self.length(value), value / unit);
@@ -72,11 +47,11 @@ impl KlartextHeadWriter<'_> {
 
     /// Whether the head brings an axis to its place: the program has moved it.
     fn takes_part(&self, axis: usize) -> bool {
-        let modal = &self.state.modal;
+        let StateAtBlock { modal, noted, .. } = self.state;
         let (a, b, _) = self.tool_plane().axes();
         let moved = |axis: usize| {
-            modal.known.has(axis) && !modal.unmoved.has(axis)
-                || self.machine_function(axis).is_some()
+            let has_moved = noted.moved[axis] || !modal.unmoved.has(axis);
+            modal.known.has(axis) && has_moved || self.machine_function(axis).is_some()
         };
         // In a turned plane both axes move together.
         let is_plain = self.state.modes.chain.list().is_empty();
@@ -84,27 +59,26 @@ impl KlartextHeadWriter<'_> {
     }
 
     /// The tool axis to where the program has been clear, the other axes over the place, then down by feed; with the spindle
-    /// and the coolant. Where the place is not known the head does not move.
+    /// and the coolant. Where a place is not known, as that of the tool axis after a TOOL CALL of an unknown length, the axes
+    /// whose place is known go there at the height that the machine has.
     pub(super) fn approach(&self, places: &mut PlaceWriter) -> Result<Vec<String>, HeadFault> {
         let mut lines = Vec::new();
         let normal = self.tool_plane().axes().2;
-        let moves = !self.approaches();
+        let has_height = !self.approaches() && self.takes_part(normal);
         let above = self.height_above();
-        if moves && self.takes_part(normal) {
+        if has_height {
             lines.push(self.to_height(normal, above, places)?);
         }
-        if moves {
-            lines.extend(self.over_place(places)?);
-        }
+        lines.extend(self.over_place(places)?);
         let [spindle, flood, mist] = self.running();
         add_word(&mut lines, 0, spindle);
         let last = lines.len().saturating_sub(1);
         add_word(&mut lines, last, flood);
         add_word(&mut lines, last, mist);
         let feed = self.feed();
-        let goes_down = self.takes_part(normal) && self.machine_function(normal).is_none();
+        let goes_down = has_height && self.machine_function(normal).is_none();
         match (above, feed) {
-            (Some(_), feed) if moves && goes_down => {
+            (Some(_), feed) if goes_down => {
                 let place = self.state.modes.frame.programmed(&self.state.modal.position);
                 let word = self.place(normal, place[normal], places)?;
                 lines.push(format!("L {word} R0 {}", feed.as_deref().unwrap_or("FMAX")));
@@ -201,9 +175,8 @@ impl KlartextHeadWriter<'_> {
         let center = words("CC", [(a, contour.center[a]), (b, contour.center[b])]);
         let (a, b, _) = self.tool_plane().axes();
         let pole = self.state.modes.free_pole;
-        let pole = pole.and_then(|[first, second]| {
-            words("FPOL", [(a, Some(first)), (b, Some(second))])
-        });
+        let pole =
+            pole.and_then(|[first, second]| words("FPOL", [(a, Some(first)), (b, Some(second))]));
         center.into_iter().chain(pole).collect()
     }
 }

@@ -48,7 +48,9 @@ fn slot_of(
     statement: &KlartextStatement,
 ) -> Option<(DefinitionSlot, bool)> {
     match statement {
-        KlartextStatement::Blank { corner, .. } => Some((DefinitionSlot::Blank, *corner != Some(2))),
+        KlartextStatement::Blank { corner, .. } => {
+            Some((DefinitionSlot::Blank, *corner != Some(2)))
+        }
         KlartextStatement::ToolDefinition { number, length, radius } => {
             let has_data = length.is_some() || radius.is_some();
             let number = interpreter.value_of(*number)?;

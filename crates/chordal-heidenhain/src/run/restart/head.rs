@@ -4,21 +4,11 @@ use chordal_command::SpindleState;
 use chordal_geometry::Plane;
 use chordal_kernel::significant_number;
 
-use super::approach::PlaceWriter;
 use super::definitions::{Definition, DefinitionSlot};
+use super::places::{ANGLE_DIGITS, HeadFault, LENGTH_DIGITS, PlaceWriter};
 use super::values::exact_number;
 use super::watch::StateAtBlock;
 use crate::run::transformations::Transformation;
-
-/// What stands in the way of a head.
-#[derive(Clone, PartialEq, Eq, Debug)]
-pub(super) struct HeadFault(pub String);
-
-/// Digits after the point of lengths that a control keeps, in mm and in inches.
-pub(super) const LENGTH_DIGITS: [usize; 2] = [5, 6];
-
-/// Digits after the point of angles and factors.
-pub(super) const ANGLE_DIGITS: usize = 6;
 
 /// Digits after the point of feeds and speeds.
 const FEED_DIGITS: usize = 9;
@@ -59,7 +49,7 @@ impl KlartextHeadWriter<'_> {
             }
         }
         lines.extend(self.functions());
-        let mut places = PlaceWriter::of(self);
+        let mut places = PlaceWriter::new(self.free_parameters.clone());
         let approach = if self.calls_tool { Vec::new() } else { self.approach(&mut places)? };
         let poles = self.poles(&mut places);
         lines.append(&mut places.lines);
@@ -119,7 +109,9 @@ impl KlartextHeadWriter<'_> {
                 if value != 0.0 {
                     let number = exact_number(value, LENGTH_DIGITS[1]);
                     let number = number.ok_or_else(|| {
-                        HeadFault(format!("{name} of the tool has more decimals than a block takes"))
+                        HeadFault(format!(
+                            "{name} of the tool has more decimals than a block takes"
+                        ))
                     })?;
                     words.push(format!("{name}{number}"));
                 }
@@ -140,9 +132,8 @@ impl KlartextHeadWriter<'_> {
     }
 
     fn transformation(&self, one: &Transformation) -> Result<Vec<String>, HeadFault> {
-        let digits = |what: &str| {
-            HeadFault(format!("the {what} has more decimals than a block takes"))
-        };
+        let digits =
+            |what: &str| HeadFault(format!("the {what} has more decimals than a block takes"));
         let numbered = |number: u32, title: &str, data: Vec<String>| {
             let lines = data.into_iter().enumerate();
             let lines = lines.map(|(at, words)| format!("CYCL DEF {number}.{} {words}", at + 1));
@@ -164,9 +155,12 @@ impl KlartextHeadWriter<'_> {
             }
             Transformation::Rotation(plane, degrees) => {
                 if *plane != self.tool_plane() {
-                    return Err(HeadFault("a rotation is in force in another plane than that of the tool".into()));
+                    return Err(HeadFault(
+                        "a rotation is in force in another plane than that of the tool".into(),
+                    ));
                 }
-                let number = exact_number(*degrees, ANGLE_DIGITS).ok_or_else(|| digits("rotation"))?;
+                let number =
+                    exact_number(*degrees, ANGLE_DIGITS).ok_or_else(|| digits("rotation"))?;
                 Ok(numbered(10, "ROTATION", vec![format!("ROT{number}")]))
             }
             Transformation::Scale(factor) => {

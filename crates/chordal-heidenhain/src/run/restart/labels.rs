@@ -30,7 +30,10 @@ impl SourceText<'_> {
             }
             KlartextStatement::CycleLine { number: 14, line: 1.., rest, .. } => {
                 let numbers = label_numbers(rest.slice(self.text));
-                numbers.into_iter().map(|own| (KlartextLabel::Number(own), LabelUse::Call)).collect()
+                numbers
+                    .into_iter()
+                    .map(|own| (KlartextLabel::Number(own), LabelUse::Call))
+                    .collect()
             }
             _ => Vec::new(),
         }
@@ -108,9 +111,7 @@ impl SourceText<'_> {
 
     /// Adds all subprograms that end before a block.
     fn add_all(&self, at: usize, found: &mut Vec<Range<usize>>) {
-        let is_label = |own: &usize| {
-            matches!(self.statement(*own), KlartextStatement::Label(label) if *label != KlartextLabel::Number(0))
-        };
+        let is_label = |own: &usize| matches!(self.statement(*own), KlartextStatement::Label(label) if *label != KlartextLabel::Number(0));
         for first in (0..at).filter(is_label) {
             let end = self.end_of_section(first).filter(|end| *end <= at);
             found.extend(end.map(|end| first..end));

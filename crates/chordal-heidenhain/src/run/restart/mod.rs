@@ -2,13 +2,14 @@
 //!
 //! `source` finds the block, `watch` runs up to it and notes what holds there (`definitions`, `functions`), `labels` finds the
 //! subprograms that stand before it and are called after it, `head` writes the blocks, `approach` the
-//! moves among them, with numbers as `values` has them.
+//! moves among them, with places and numbers as `places` and `values` have them.
 
 mod approach;
 mod definitions;
 mod functions;
 mod head;
 mod labels;
+mod places;
 mod source;
 mod values;
 mod watch;
@@ -18,11 +19,10 @@ use std::ops::Range;
 
 use chordal_command::CompensationSide;
 use chordal_diagnostics::FileId;
-use chordal_kernel::{
-    EndReason, RestartFault, RestartObstacle, RestartedText, StateItem,
-};
+use chordal_kernel::{EndReason, RestartFault, RestartObstacle, RestartedText, StateItem};
 
-use self::head::{HeadFault, KlartextHeadWriter};
+use self::head::KlartextHeadWriter;
+use self::places::HeadFault;
 use self::source::{BeginPlace, SourceText, fault};
 use self::values::{add_names, add_reads, parameter_number};
 use self::watch::{StateAtBlock, WatchedRun};
@@ -50,8 +50,13 @@ pub fn restarted_text(
 ) -> Result<RestartedText, RestartFault> {
     let text = texts.text(FileId(0));
     if LineReader::new(text).is_iso() {
-        let what = "the program is written in DIN/ISO, and heads are written for conversational programs";
-        return Err(fault(RestartObstacle::Form, what, "begin at a block with the control's own scan"));
+        let what =
+            "the program is written in DIN/ISO, and heads are written for conversational programs";
+        return Err(fault(
+            RestartObstacle::Form,
+            what,
+            "begin at a block with the control's own scan",
+        ));
     }
     let source = SourceText::read(text);
     let place = source.place_of(line)?;
@@ -92,7 +97,8 @@ impl KlartextRestart<'_, '_> {
         }
         let Some(state) = &run.state else {
             let what = "the run never comes to this line";
-            let help = "name a line that is carried out; of a contour of cycle 14 that of the cycle";
+            let help =
+                "name a line that is carried out; of a contour of cycle 14 that of the cycle";
             return Err(fault(RestartObstacle::NoBlock, what, help));
         };
         if !run.has_begun || self.place.from <= self.kept() {
@@ -215,7 +221,8 @@ impl KlartextRestart<'_, '_> {
 
     /// The byte at which the line of END PGM begins, or the end of the text.
     fn close_of_program(&self) -> u32 {
-        let is_end = |at: &usize| matches!(self.source.statement(*at), KlartextStatement::End { .. });
+        let is_end =
+            |at: &usize| matches!(self.source.statement(*at), KlartextStatement::End { .. });
         let end = (self.place.at..self.source.blocks.len()).rev().find(is_end);
         end.map_or(self.source.text.len() as u32, |at| self.source.blocks[at].lines.start)
     }
@@ -249,7 +256,8 @@ fn parameter_line(
         return Ok(None);
     }
     if state.parameters.was_lost(name) {
-        let what = format!("the value of {bank}{number}, which is read after the line, is not known");
+        let what =
+            format!("the value of {bank}{number}, which is read after the line, is not known");
         let help = "begin before the block that sets it, or set it to a number in the program";
         return Err(fault(RestartObstacle::Unsure, what, help));
     }

@@ -152,12 +152,10 @@ impl<'t> SourceText<'t> {
             return open("the line is in a free contour (FK)", first_of(&goes_on));
         }
         if let Statement::CycleLine { number, line: 1.., .. } = self.statement(at) {
-            let is_of_cycle = |at: usize| {
-                matches!(self.statement(at), Statement::CycleLine { number: own, .. } if own == number)
-            };
-            let first = (0..at).rev().find(|at| {
-                matches!(self.statement(*at), Statement::CycleLine { line: 0, .. })
-            });
+            let is_of_cycle = |at: usize| matches!(self.statement(at), Statement::CycleLine { number: own, .. } if own == number);
+            let first = (0..at)
+                .rev()
+                .find(|at| matches!(self.statement(*at), Statement::CycleLine { line: 0, .. }));
             let first = first.unwrap_or_else(|| first_of(&is_of_cycle));
             return open("the line is in the definition of a cycle", first);
         }
@@ -171,7 +169,10 @@ impl<'t> SourceText<'t> {
         let is_element = |at: &usize| {
             matches!(
                 self.statement(*at),
-                Statement::Path(..) | Statement::FreeElement(_) | Statement::Approach(..) | Statement::Departure(..)
+                Statement::Path(..)
+                    | Statement::FreeElement(_)
+                    | Statement::Approach(..)
+                    | Statement::Departure(..)
             )
         };
         let Some(element) = (at..self.blocks.len()).find(is_element) else { return Ok(()) };
@@ -199,9 +200,8 @@ impl<'t> SourceText<'t> {
         let is_repeated = |at: usize| {
             matches!(self.statement(at), KlartextStatement::Path(PathFunction::Repeated, _))
         };
-        let first = (0..=at).rev().filter(|at| {
-            matches!(self.statement(*at), KlartextStatement::Path(..))
-        });
+        let first =
+            (0..=at).rev().filter(|at| matches!(self.statement(*at), KlartextStatement::Path(..)));
         let first = first.into_iter().find(|at| !is_repeated(*at));
         first.is_none_or(|at| {
             matches!(self.statement(at), KlartextStatement::Path(PathFunction::Line, _))
@@ -210,8 +210,7 @@ impl<'t> SourceText<'t> {
 
     /// The block of a label.
     pub fn label(&self, label: &KlartextLabel) -> Option<usize> {
-        (0..self.blocks.len()).find(
-            |at| matches!(self.statement(*at), KlartextStatement::Label(own) if own == label),
-        )
+        (0..self.blocks.len())
+            .find(|at| matches!(self.statement(*at), KlartextStatement::Label(own) if own == label))
     }
 }

@@ -5,9 +5,7 @@ use std::collections::BTreeSet;
 use chordal_diagnostics::TextRange;
 use chordal_kernel::plain_number;
 
-use crate::syntax::{
-    KlartextToken, KlartextTokenKind, ParameterBank, ParameterName, scan_tokens,
-};
+use crate::syntax::{KlartextToken, KlartextTokenKind, ParameterBank, ParameterName, scan_tokens};
 use crate::values::ParameterStore;
 
 /// Digits of a parameter that a control keeps (TNC 640 user's manual 34059x, Q parameters).

@@ -8,9 +8,7 @@ use super::definitions::{Definitions, follow_definition};
 use super::functions::{LeftFunctions, functions_of};
 use crate::run::interpreter::KlartextInterpreter;
 use crate::run::run_state::{KlartextFlow, KlartextModes};
-use crate::syntax::{
-    KlartextBlock, KlartextStatement, ToolCallWords, ToolName, WordOperand,
-};
+use crate::syntax::{KlartextBlock, KlartextStatement, ToolCallWords, ToolName, WordOperand};
 use crate::values::ParameterStore;
 
 /// The tool that the last TOOL CALL has called.
@@ -39,6 +37,8 @@ pub(super) struct Notes {
     pub tool: Option<CalledTool>,
     /// The highest place of the tool axis with this tool and preset, in the coordinates of the preset, mm.
     pub highest: f64,
+    /// The axes that the program has moved.
+    pub moved: [bool; AXES],
     /// The axes that stand where M91 or M92 has brought them: the number of the function.
     pub to_machine: [Option<u32>; AXES],
     /// The line in which compensation became active.
@@ -88,6 +88,7 @@ impl KlartextInterpreter<'_> {
             functions: LeftFunctions::default(),
             tool: None,
             highest: f64::NEG_INFINITY,
+            moved: [false; AXES],
             to_machine: [None; AXES],
             compensation: None,
             frame: None,
@@ -182,11 +183,14 @@ impl KlartextInterpreter<'_> {
         for axis in 0..AXES {
             let is_named = matches!(&block.statement, KlartextStatement::Path(_, words) if words.axes[axis].is_some());
             if has_moved(axis) || is_named {
+                noted.moved[axis] = true;
                 noted.to_machine[axis] = machine;
             }
         }
+        // Coordinates of a tilted plane say nothing about those outside of it.
         let axis = self.tool_axis();
-        if machine.is_none() && (0..3).any(has_moved) {
+        let counts = machine.is_none() && noted.frame.is_none() && after.known.has(axis);
+        if counts && (0..3).any(has_moved) {
             noted.highest = noted.highest.max(after.position[axis]);
         }
     }
@@ -199,8 +203,9 @@ impl KlartextInterpreter<'_> {
             ToolName::Text(text) => format!("\"{text}\""),
             ToolName::Parameter(number) => format!("\"{}\"", self.parameters.text(*number)?),
         };
-        let allowances =
-            words.allowances.map(|value| value.and_then(|value| self.value_of(value)).unwrap_or(0.0));
+        let allowances = words
+            .allowances
+            .map(|value| value.and_then(|value| self.value_of(value)).unwrap_or(0.0));
         Some(CalledTool { name, allowances })
     }
 }
