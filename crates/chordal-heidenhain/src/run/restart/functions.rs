@@ -49,7 +49,7 @@ impl LeftFunctions {
             self.lasting.retain(|begin, _| is_other(begin));
             self.lasting.insert(number, words);
         } else if LASTING.iter().any(|(_, end)| *end == number) {
-            self.lasting.retain(|begin, _| !LASTING.iter().any(|pair| *pair == (*begin, number)));
+            self.lasting.retain(|begin, _| !LASTING.contains(&(*begin, number)));
         } else if !OF_STATE.contains(&number) {
             self.leave_out(words, line);
         }
