@@ -57,10 +57,11 @@ pub use language::{
     CustomCode, DefinedTool, DrilledHole, EndReason, EvidenceStrength, FoundSign, HoleForm,
     HoleMotion, InterruptCheck, MIN_LIKELY_WEIGHT, Outcome, PostedKind, PostedProgram, PostedStep,
     ProgramName, ProgramPlace, ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition,
-    RunOptions, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, StartingModes,
-    TappedHole, TextSymbol, TextSymbolKind, Token, TokenClass, VocabularyGroup, WordCompletion,
-    WriterNote, WriterOptions, WrittenLengths, WrittenLine, WrittenProgram, are_same_motions,
-    is_same_level, plain_number, significant_number, time_number, written_effect,
+    RestartFault, RestartObstacle, RestartedText, RunOptions, SettingError, ShopAnswer, ShopCall,
+    ShopCodes, ShopRecord, StartingModes, TappedHole, TextSymbol, TextSymbolKind, Token,
+    TokenClass, UnrepeatedCode, VocabularyGroup, WordCompletion, WriterNote, WriterOptions,
+    WrittenLengths, WrittenLine, WrittenProgram, are_same_motions, is_same_level, plain_number,
+    significant_number, time_number, written_effect,
 };
 pub use modal::{Modal, MotionMode};
 pub use motion::{ArcWords, MisfitArc, SpiralWords, is_over};

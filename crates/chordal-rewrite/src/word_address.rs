@@ -41,16 +41,21 @@ pub(crate) struct OtherLanguage {
 /// # Errors
 /// The refusal.
 pub(crate) fn refuse_other_languages(job: &Job) -> Result<(), OtherLanguage> {
-    if job.word_address().is_some() {
-        return Ok(());
+    match job.word_address() {
+        Some(_) => Ok(()),
+        None => Err(refusal_of_language(job)),
     }
+}
+
+/// The refusal of a job whose programs are not made of word-address blocks.
+pub(crate) fn refusal_of_language(job: &Job) -> OtherLanguage {
     let text = job.sources().get(FileId(0)).map_or(&[][..], |source| source.text());
     let text = String::from_utf8_lossy(text);
-    Err(OtherLanguage {
+    OtherLanguage {
         first_line: text.lines().next().unwrap_or_default().to_string(),
         what: other_language(job.machine().control),
         help: HELP,
-    })
+    }
 }
 
 /// The sentence for a control whose programs are not made of word-address blocks.

@@ -29,11 +29,12 @@ pub mod control {
         ControlCandidate, ControlProfile, CustomCode, DrilledHole, EndReason, EvidenceStrength,
         FoundSign, FrameKinds, HoleForm, HoleMotion, InterruptCheck, LiveTool, MIN_LIKELY_WEIGHT,
         Modal, MotionMode, Outcome, PostedKind, PostedProgram, PostedStep, ProgramName,
-        ProgramPlace, ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition, RunOptions,
-        RunSink, SettingError, ShopAnswer, ShopCall, ShopCodes, ShopRecord, SplineForm,
-        StartingModes, StateItem, StateValue, TappedHole, TextSymbol, TextSymbolKind, Token,
-        TokenClass, ToolValue, TurnPass, VocabularyGroup, WordCompletion, WriterNote,
-        WriterOptions, WrittenLine, WrittenProgram, is_same_level,
+        ProgramPlace, ProgramSet, ProgramWriter, ProgrammingLanguage, Recognition, RestartFault,
+        RestartObstacle, RestartedText, RunOptions, RunSink, SettingError, ShopAnswer, ShopCall,
+        ShopCodes, ShopRecord, SplineForm, StartingModes, StateItem, StateValue, TappedHole,
+        TextSymbol, TextSymbolKind, Token, TokenClass, ToolValue, TurnPass, UnrepeatedCode,
+        VocabularyGroup, WordCompletion, WriterNote, WriterOptions, WrittenLine, WrittenOffset,
+        WrittenProgram, is_same_level,
     };
 
     pub use crate::languages::{

@@ -373,7 +373,7 @@ fn mill_bore(
         return Err(KlartextCycleFault::BadValue(message));
     }
     steps.push(KlartextCycleStep::Across { offset: [radius, 0.0], feed });
-    let turn = if context.turns_clockwise_inside(values) { -TAU } else { TAU };
+    let turn = if context.turns_clockwise_inside(values.number(351)) { -TAU } else { TAU };
     steps.push(KlartextCycleStep::Helix { sweep_rad: turns * turn, to: levels.bottom, feed });
     steps.push(KlartextCycleStep::Helix { sweep_rad: turn, to: levels.bottom, feed });
     steps.push(KlartextCycleStep::Across { offset: [0.0; 2], feed });

@@ -80,7 +80,7 @@ pub fn pocket_steps(
         rough,
         roughs: kind != 2,
         finishes: kind != 1 && allowance > 0.0,
-        is_clockwise: context.turns_clockwise_inside(values),
+        is_clockwise: context.turns_clockwise_inside(values.number(351)),
     };
     let mut steps = vec![KlartextCycleStep::Rapid(levels.clearance)];
     for place in places(number, values, context) {

@@ -2,8 +2,6 @@
 
 use chordal_command::SpindleState;
 
-use super::values::CycleValues;
-
 /// A feed of a step.
 #[derive(Clone, Copy, PartialEq, Debug)]
 pub enum CycleFeed {
@@ -136,10 +134,10 @@ impl CycleContext {
         self.tool_radius.ok_or(KlartextCycleFault::MissingRadius(cycle))
     }
 
-    /// Whether the tool goes round clockwise in a pocket or a bore: up-cut (Q351 = -1) with a spindle that turns
+    /// Whether the tool goes round clockwise in a pocket or a bore: up-cut (Q351 is -1) with a spindle that turns
     /// clockwise, or climb with the other.
-    pub fn turns_clockwise_inside(&self, values: &CycleValues) -> bool {
-        (values.number(351) < 0.0) != self.turns_left
+    pub fn turns_clockwise_inside(&self, climb: f64) -> bool {
+        (climb < 0.0) != self.turns_left
     }
 }
 

@@ -466,7 +466,7 @@ impl KlartextInterpreter<'_> {
 
 /// The numbers in a text: `CONTOUR LABEL1 /2 /3`, or `P01 1 P02 2` of a DIN/ISO program, where those after P count the
 /// labels.
-fn label_numbers(text: &[u8]) -> Vec<u32> {
+pub(super) fn label_numbers(text: &[u8]) -> Vec<u32> {
     let mut found = Vec::new();
     let mut before = b' ';
     let mut at = 0;

@@ -156,7 +156,7 @@ impl<'a> KlartextInterpreter<'a> {
     }
 
     /// Reads and carries out a block.
-    fn next_block(&mut self, wants_blocks: bool) -> KlartextFlow {
+    pub(super) fn next_block(&mut self, wants_blocks: bool) -> KlartextFlow {
         let Some(block) = self.running().reader.next() else {
             return self.program_ends();
         };

@@ -4,7 +4,8 @@
 //! `assignments` and `block_values` give words their values; `contours` turns path functions into lines and arcs, which
 //! `motion` moves along; `blank` checks rapids, `corners` and `compensation` look ahead for what changes them; `functions` and `tools` set what the
 //! following blocks use; `iso` is for the blocks of
-//! DIN/ISO programs, `frames`, `transformations` and `tilting` are the coordinates, `cycles` the cycles.
+//! DIN/ISO programs, `frames`, `transformations` and `tilting` are the coordinates, `cycles` the cycles. `restart` writes a
+//! program so that it begins at a line.
 
 mod approaches;
 mod assignments;
@@ -31,6 +32,7 @@ mod motion;
 mod problems;
 mod program_texts;
 mod programs;
+mod restart;
 mod run_state;
 mod tilting;
 mod tools;

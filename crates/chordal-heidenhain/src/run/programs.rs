@@ -2,13 +2,15 @@
 
 use chordal_diagnostics::{FileId, SourceMap, TextRange};
 use chordal_kernel::{
-    Checkpoint, CompletedRun, ConfiguredControl, ProgramName, ProgramPlace, ProgramSet, RunOptions,
-    RunSink, TextSymbol, Token, TokenClass, WordCompletion,
+    Checkpoint, CompletedRun, ConfiguredControl, ProgramName, ProgramPlace, ProgramSet,
+    RestartFault, RestartedText, RunOptions, RunSink, TextSymbol, Token, TokenClass,
+    WordCompletion,
 };
 use chordal_machine::Machine;
 
 use super::interpreter::KlartextInterpreter;
 use super::program_texts::KlartextTexts;
+use super::restart::restarted_text;
 use crate::editing::{completions, meaning_at, text_symbols};
 use crate::settings::HeidenhainSettings;
 use crate::syntax::{KlartextToken, KlartextTokenKind, LineReader, scan_tokens};
@@ -101,6 +103,10 @@ impl ProgramSet for KlartextPrograms<'_> {
         // No checkpoints are given, so that every run begins at the start.
         (program < self.texts.texts.len())
             .then(|| KlartextInterpreter::new(&self.texts, program, sink).run())
+    }
+
+    fn restarted(&self, program: usize, line: u32) -> Option<Result<RestartedText, RestartFault>> {
+        (program < self.texts.texts.len()).then(|| restarted_text(&self.texts, program, line))
     }
 
     fn tokens(&self, part: TextRange) -> Vec<Token> {

@@ -70,6 +70,11 @@ impl CoordinateChain {
         self.0.iter().find(|own| own.is_kind_of(other))
     }
 
+    /// The active transformations in the order in which they act.
+    pub fn list(&self) -> &[Transformation] {
+        &self.0
+    }
+
     /// The datum shift, mm.
     pub fn shift(&self) -> [f64; 3] {
         match self.of_kind(&Transformation::Shift([0.0; 3])) {

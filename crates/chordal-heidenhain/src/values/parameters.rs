@@ -37,6 +37,11 @@ impl ParameterStore {
         self.unknown.contains(&name) || is_of_control && !self.numbers.contains_key(&name)
     }
 
+    /// Whether a parameter was set from something that is not known here.
+    pub fn was_lost(&self, name: ParameterName) -> bool {
+        self.unknown.contains(&name)
+    }
+
     /// Forgets the value of a parameter, which is not known from here on.
     pub fn set_unknown(&mut self, name: ParameterName) {
         self.numbers.remove(&name);

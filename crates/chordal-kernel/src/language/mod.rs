@@ -21,6 +21,7 @@ mod program_writer;
 mod programming_language;
 mod programs;
 mod recognition;
+mod restarted_text;
 mod run_options;
 mod tokens;
 mod written_words;
@@ -39,6 +40,7 @@ pub use programs::{ProgramName, ProgramPlace};
 pub use recognition::{
     ANOTHER_KIND, ControlCandidate, EvidenceStrength, FoundSign, MIN_LIKELY_WEIGHT, Recognition,
 };
+pub use restarted_text::{RestartFault, RestartObstacle, RestartedText, UnrepeatedCode};
 pub use run_options::{InterruptCheck, RunOptions};
 pub use tokens::{TextSymbol, TextSymbolKind, Token, TokenClass, VocabularyGroup, WordCompletion};
 pub use written_words::{

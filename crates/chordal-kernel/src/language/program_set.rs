@@ -4,6 +4,7 @@ use chordal_diagnostics::{Diagnostic, TextRange};
 
 use super::outcome::CompletedRun;
 use super::programs::ProgramPlace;
+use super::restarted_text::{RestartFault, RestartedText};
 use super::tokens::{TextSymbol, Token, WordCompletion};
 use crate::checkpoint::Checkpoint;
 use crate::sink::RunSink;
@@ -38,6 +39,13 @@ pub trait ProgramSet {
         from: Option<&Checkpoint>,
         sink: &mut dyn RunSink,
     ) -> Option<CompletedRun>;
+
+    /// The first text so that the program of an index begins at a line of it, from 1; `None` where the language has no
+    /// heads of its own.
+    fn restarted(&self, program: usize, line: u32) -> Option<Result<RestartedText, RestartFault>> {
+        let _ = (program, line);
+        None
+    }
 
     /// The tokens of a part of the first text, in order.
     fn tokens(&self, part: TextRange) -> Vec<Token>;

@@ -3,6 +3,7 @@
 //! `watch` finds what holds before the line and what is open there, `head` writes it, `trace` holds what both
 //! programs do from the line on against each other. Nothing comes out that does not do the same.
 
+mod by_language;
 mod cycle;
 mod head;
 mod head_on_part;
@@ -16,23 +17,24 @@ mod watch;
 
 use std::ops::Range;
 
+pub use chordal::control::UnrepeatedCode;
 use chordal::control::{Action, CompensationSide, FrameKinds, Modal, MotionMode, OnceCode, Units};
 use chordal::diagnostics::FileId;
 use chordal::stock::{ApproachCheck, StockRunError, TurnedOptions};
 use chordal::syntax::Letters;
-use chordal::{Job, Severity};
+use chordal::{Job, Report, Severity};
 
+use self::by_language::begin_by_language;
 use self::head::{HeadError, HeadWriter};
 use self::part_frame::FrameRestart;
 pub use self::refusal::{RefusalReason, RestartRefusal};
 use self::trace::{EventTrace, MatchLevel};
-pub use self::watch::UnrepeatedCode;
 use self::watch::{RunToBlock, StateBefore};
 use crate::TransformRefusal;
 use crate::convert::CycleContours;
 use crate::source::SourceBlocks;
 use crate::split::open::unsplittable_ranges;
-use crate::word_address::{BlockControl, refuse_other_languages};
+use crate::word_address::BlockControl;
 
 /// A program that begins at a line.
 #[derive(Clone, Debug)]
@@ -76,10 +78,9 @@ pub fn prove_head(job: &Job, line: u32, text: &[u8]) -> Result<RestartProgram, R
 }
 
 fn begin(job: &Job, line: u32, provided: Option<&[u8]>) -> Result<RestartProgram, RestartRefusal> {
-    refuse_other_languages(job).map_err(|refused| RestartRefusal {
-        reason: RefusalReason::Form,
-        refusal: refused.into(),
-    })?;
+    if job.word_address().is_none() {
+        return begin_by_language(job, line, provided);
+    }
     let source = SourceBlocks::of(job);
     let requested = RestartRequest { job, source: &source, line };
     let main = requested.main()?;
@@ -317,31 +318,9 @@ impl RestartRequest<'_, '_> {
     /// The program is followed, without an error, up to the block.
     fn verified(&self, at: usize) -> Result<(), RestartRefusal> {
         let report = self.job.check();
-        let start = self.source.start_of(at);
-        let is_before = |span: chordal::Span| span.file != FileId(0) || span.range.start < start;
-        if let Some(span) = report.not_verified_from.filter(|span| is_before(*span)) {
-            let line = self.line_of(span);
-            let what = format!("the path is not verified from line {line} on");
-            return Err(self.refuse(
-                RefusalReason::Unsure,
-                what,
-                format!("begin before line {line}"),
-            ));
-        }
-        let is_error = |one: &&chordal::Diagnostic| {
-            one.severity == Severity::Error && is_before(one.primary.span)
-        };
-        if let Some(error) = report.diagnostics.iter().find(is_error) {
-            let line = self.line_of(error.primary.span);
-            let what =
-                format!("the program has an error before it, at line {line}: {}", error.message);
-            return Err(self.refuse(RefusalReason::Unsure, what, "correct that first"));
-        }
-        Ok(())
-    }
-
-    fn line_of(&self, span: chordal::Span) -> u32 {
-        self.job.sources().get(span.file).map_or(0, |source| source.line_of(span.range.start))
+        let doubt =
+            doubt_before(self.job, &report, report.not_verified_from, self.source.start_of(at));
+        doubt.map_or(Ok(()), |(what, help)| Err(self.refuse(RefusalReason::Unsure, what, help)))
     }
 
     /// Nothing is open before the block that a head cannot say again.
@@ -484,10 +463,10 @@ impl RestartRequest<'_, '_> {
         }
         let old = EventTrace::of(self.job, draft.ran);
         let trace = EventTrace::of(&new, ran);
-        if let Some(what) = old.begins_otherwise(&trace, draft.approaches) {
+        let care = MatchLevel { exact: !draft.approaches, ..MatchLevel::default() };
+        if let Some(what) = old.begins_otherwise(&trace, care) {
             return Err(unproved(format!("{what} is another one where the program begins")));
         }
-        let care = MatchLevel { exact: !draft.approaches, ..MatchLevel::default() };
         if let Some(unlike) = old.unlike(&trace, &places, care) {
             let what = format!("line {} would not do the same: {}", unlike.line, unlike.what);
             return Err(unproved(what));
@@ -532,6 +511,31 @@ impl RestartRequest<'_, '_> {
         };
         kept.iter().map(say).collect()
     }
+}
+
+/// Why the program is not followed, without an error, up to a byte, and what to do; nothing where it is. `lost` is where the
+/// report says that it is not.
+fn doubt_before(
+    job: &Job,
+    report: &Report,
+    lost: Option<chordal::Span>,
+    start: u32,
+) -> Option<(String, String)> {
+    let is_before = |span: chordal::Span| span.file != FileId(0) || span.range.start < start;
+    let line_of = |span: chordal::Span| {
+        job.sources().get(span.file).map_or(0, |source| source.line_of(span.range.start))
+    };
+    if let Some(span) = lost.filter(|span| is_before(*span)) {
+        let line = line_of(span);
+        let what = format!("the path is not verified from line {line} on");
+        return Some((what, format!("begin before line {line}")));
+    }
+    let is_error =
+        |one: &&chordal::Diagnostic| one.severity == Severity::Error && is_before(one.primary.span);
+    let error = report.diagnostics.iter().find(is_error)?;
+    let line = line_of(error.primary.span);
+    let what = format!("the program has an error before it, at line {line}: {}", error.message);
+    Some((what, "correct that first".into()))
 }
 
 /// The job of the program that a byte of the text is in: programs that nothing calls any more are not mains.

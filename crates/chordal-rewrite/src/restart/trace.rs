@@ -6,7 +6,7 @@ use std::rc::Rc;
 
 use chordal::control::{
     ArcShape, AxisMask, CallPath, Feed, Modal, Move, Origin, Position, SpindleState, StateItem,
-    StateValue,
+    StateValue, WrittenOffset,
 };
 use chordal::machine::{AXES, RolloverRule};
 use chordal::{CommandKind, Effect, Job, Severity, SourceMap};
@@ -25,6 +25,19 @@ struct KeptState {
     follows: bool,
     /// What may be compared, item by item.
     items: Vec<(StateItem, StateValue)>,
+}
+
+impl KeptState {
+    /// The entry of the tool in the spindle in the table of tools, where the program has written it.
+    fn tool_entry(&self) -> Option<&Vec<Option<f64>>> {
+        let value = |searched: StateItem| {
+            self.items.iter().find(|(item, _)| *item == searched).map(|(_, value)| value)
+        };
+        let Some(StateValue::Numbers(tool)) = value(StateItem::Tool) else { return None };
+        let Some(StateValue::Places(places)) = value(StateItem::Tables) else { return None };
+        let name = format!("{:?}", WrittenOffset::Tool(*tool.first()? as u32));
+        places.iter().find(|(own, _)| *own == name).map(|(_, values)| values)
+    }
 }
 
 /// What holds after a block. A run has many of them: what is the same as after the block before is kept once.
@@ -102,6 +115,8 @@ pub(super) struct MatchLevel {
     pub(super) rolling: AxisMask,
     /// The axes that in one of the programs have not moved yet: nobody knows where they stand when the new one begins.
     pub(super) unmoved: AxisMask,
+    /// Items that no block of the language takes from those before it.
+    pub(super) free_items: &'static [StateItem],
 }
 
 /// Where two runs are first not the same.
@@ -172,12 +187,12 @@ impl EventTrace {
     pub(super) fn begins_otherwise(
         &self,
         new: &EventTrace,
-        approaches: bool,
+        care: MatchLevel,
     ) -> Option<&'static str> {
         let both = [self.begin.as_deref()?, new.begin.as_deref()?];
-        different_item(both, |item| match approaches {
-            true => item == StateItem::ReadyTool,
-            false => compared(item).1 && is_compared(item, both, true),
+        different_item(both, care.free_items, |item| match care.exact {
+            true => compared(item).1 && is_compared(item, both, true),
+            false => item == StateItem::ReadyTool,
         })
     }
 
@@ -485,7 +500,9 @@ fn different_state(
     let known = one.known.and(other.known).without(unmoved);
     let machine = one.machine_known.and(other.machine_known).without(unmoved);
     let kept = [&*one.kept, &*other.kept];
-    if let Some(name) = different_item(kept, |item| is_compared(item, kept, settled)) {
+    if let Some(name) =
+        different_item(kept, care.free_items, |item| is_compared(item, kept, settled))
+    {
         return Some(name);
     }
     let same = |one, other, known| same_place(one, other, known, care.rolling);
@@ -499,15 +516,25 @@ fn different_state(
     checks.into_iter().find(|(is_same, _)| !is_same).map(|(_, name)| name)
 }
 
-/// The first item of those that count which is not the same.
+/// The first item of those that count which is not the same. Of tables that are free the entry of the tool in the spindle
+/// counts all the same.
 fn different_item(
-    [one, other]: [&KeptState; 2],
+    both: [&KeptState; 2],
+    free: &[StateItem],
     counts: impl Fn(StateItem) -> bool,
 ) -> Option<&'static str> {
+    let [one, other] = both;
     let mut items = one.items.iter().zip(&other.items);
-    let is_other = |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| {
-        counts(*item) && !is_same_value(a, b)
-    };
+    let is_other =
+        |((item, a), (_, b)): &(&(StateItem, StateValue), &(StateItem, StateValue))| match (
+            free.contains(item),
+            item,
+        ) {
+            _ if !counts(*item) => false,
+            (true, StateItem::Tables) => one.tool_entry() != other.tool_entry(),
+            (true, _) => false,
+            (false, _) => !is_same_value(a, b),
+        };
     items.find(is_other).map(|((item, _), _)| item.word())
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use chordal::control::{Action, AfterCode, Modal, OnceCode, number_text};
+use chordal::control::{Action, AfterCode, Modal, OnceCode, UnrepeatedCode, number_text};
 use chordal::path::ProgramFrame;
 use chordal::syntax::{Block, Word};
 use chordal::{Command, CommandKind, Control, Effect, Job};
@@ -31,16 +31,6 @@ pub(super) struct StateBefore {
     pub(super) unrepeated: Vec<UnrepeatedCode>,
     /// What a place of X is multiplied by in a word.
     pub(super) x_factor: f64,
-}
-
-/// An M code before the block that acts on something which Chordal does not know: clamps, outputs, pallets, overrides.
-/// A head does not repeat it.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct UnrepeatedCode {
-    /// The code with its words, as the program writes them.
-    pub words: String,
-    /// The line of the last block that says so.
-    pub line: u32,
 }
 
 /// A run, as far as it goes to a block.
