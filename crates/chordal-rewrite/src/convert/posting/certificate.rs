@@ -1,6 +1,7 @@
 //! The proof that a program written from its run does the same.
 
 use chordal::{Command, CommandKind, Job, Machine};
+use chordal_compare::{Category, Difference, DifferenceValue};
 
 use super::super::certify::{ProofTerms, proof};
 use super::super::{ConversionOptions, codes, job};
@@ -25,6 +26,22 @@ pub(super) struct PostedProof<'a> {
     with_lengths: Job<'a>,
     /// The machine positions of its tool axis.
     turns: Vec<f64>,
+    /// A program with the same path of the tool centre, whose contours may stand for those of the old one.
+    contours: Option<ContourTwin>,
+}
+
+/// A program of the old control whose tool centre goes as that of the old one, with other compensated contours.
+struct ContourTwin {
+    job: Job<'static>,
+    commands: Vec<Command>,
+    /// How far its path is from that of the old program, mm.
+    apart_mm: f64,
+}
+
+/// Compensation is active where it was not: the path of the tool centre says whether that is right.
+fn begins_compensation(difference: &Difference) -> bool {
+    difference.category == Category::RadiusOffset
+        && matches!(difference.values, Some([DifferenceValue::Nothing, DifferenceValue::Number(_)]))
 }
 
 /// What the proof found.
@@ -45,6 +62,7 @@ impl<'a> PostedProof<'a> {
     ) -> Option<PostedProof<'a>> {
         let on = |tables: TableSet| {
             let mut machine = tables.fill(old.machine(), old.profile(), used);
+            tools.put_lengths_into(&mut machine);
             if tables.lengths == FilledLengths::Zero {
                 tools.cancel_allowances(&mut machine);
             }
@@ -63,7 +81,28 @@ impl<'a> PostedProof<'a> {
             commands,
             with_lengths,
             turns,
+            contours: None,
         })
+    }
+
+    /// The same proof with the contours of another text for the old machine, for new programs that are compensated in another
+    /// way; `None` where the tool centre of that text does not go as that of the old program.
+    pub fn with_contours_of(mut self, old: &Job, text: &str) -> Option<PostedProof<'a>> {
+        let tables = TableSet::WITHOUT_LENGTHS;
+        let mut machine = tables.fill(old.machine(), old.profile(), self.used);
+        self.tools.put_into(&mut machine);
+        self.tools.cancel_allowances(&mut machine);
+        let job = job("contours", text.to_string(), &machine)?;
+        let mut same =
+            proof(&self.commands, [&self.without_lengths, &job], self.options, self.terms());
+        same.set_aside(begins_compensation);
+        if !same.holds() || same.tool_center.is_some() {
+            return None;
+        }
+        let commands = RecordedRun::of(&job).commands;
+        let apart_mm = same.comparison.max_distance_mm.unwrap_or(0.0);
+        self.contours = Some(ContourTwin { job, commands, apart_mm });
+        Some(self)
     }
 
     /// Compares the path, and the machine positions of the tool's axis; `None` where the machine has settings that its
@@ -77,11 +116,24 @@ impl<'a> PostedProof<'a> {
     /// The paths, on machines whose tools all have the length zero.
     fn paths(&self, text: &str) -> Option<Certificate> {
         let new = self.job(text, TableSet::WITHOUT_LENGTHS)?;
+        let own = proof(&self.commands, [&self.without_lengths, &new], self.options, self.terms());
+        let Some(twin) = self.contours.as_ref().filter(|_| !own.holds()) else { return Some(own) };
+        // Both steps together keep to the tolerance.
+        let tolerance_mm = self.options.tolerance_mm - twin.apart_mm;
+        let options = ConversionOptions { tolerance_mm, ..self.options.clone() };
+        let contours = proof(&twin.commands, [&twin.job, &new], &options, self.terms());
+        if !contours.holds() {
+            return Some(own);
+        }
+        let tool_center = contours.tool_center.is_some().then_some(own.comparison);
+        Some(Certificate { tool_center, ..contours })
+    }
+
+    fn terms(&self) -> ProofTerms {
         // Text that was printed is a comment now.
         let printed =
             self.commands.iter().any(|command| matches!(command.kind, CommandKind::Output { .. }));
-        let terms = ProofTerms { is_other_language: true, printed, ..ProofTerms::default() };
-        Some(proof(&self.commands, [&self.without_lengths, &new], self.options, terms))
+        ProofTerms { is_other_language: true, printed, ..ProofTerms::default() }
     }
 
     /// The machine positions of the tool's axis, with a length for each tool of its own.

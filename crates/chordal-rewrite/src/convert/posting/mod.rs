@@ -5,6 +5,7 @@
 //! language: a [`ProgramWriter`] of the new control writes it. `assembly` adds comments and block numbers of the old text,
 //! `certificate` compares both programs. Cycles that do not make the same moves are written out, until nothing differs.
 
+mod approaches;
 mod assembly;
 mod certificate;
 mod holes;
@@ -28,6 +29,7 @@ use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
 use chordal_compare::ComparisonVerdict;
 
+use self::approaches::LongerLeads;
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
 use self::certificate::{PostedProof, ProofOutcome};
 use self::places::UnplacedCommand;
@@ -59,8 +61,15 @@ pub(super) fn prove_posted(
 ) -> Option<Certificate> {
     let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
     let tools = program_tools(old, &used).ok()?;
-    let proof = PostedProof::new(old, machine, &used, &tools, options)?;
-    let ProofOutcome { mut certificate, other_tool_axis } = proof.of(&text)?;
+    let new_proof = || PostedProof::new(old, machine, &used, &tools, options);
+    let mut outcome = new_proof()?.of(&text)?;
+    if !outcome.certificate.holds()
+        && let Ok(posted) = PostedRun::of(old, &used, options)
+        && let Some((_, proof)) = with_longer_leads(old, &posted.program, new_proof()?, options)
+    {
+        outcome = proof.of(&text)?;
+    }
+    let ProofOutcome { mut certificate, other_tool_axis } = outcome;
     if other_tool_axis.is_some() {
         certificate.comparison.verdict = ComparisonVerdict::Different;
     }
@@ -121,11 +130,19 @@ fn converted(
         writer: &*writer,
         remarks: &remarks,
         posted: &posted,
+        program: &posted.program,
         tools: &tools,
         proof,
         options,
     };
-    rounds.run(conversion)
+    let found = rounds.run()?;
+    let found = match found.holds() {
+        true => found,
+        false => rounds.run_with_longer_leads().unwrap_or(found),
+    };
+    (conversion.text, conversion.changes) = (found.text, found.changes);
+    conversion.certificate = found.certificate;
+    Ok(())
 }
 
 /// What the program says about its tools.
@@ -314,26 +331,71 @@ fn starting_modes(old: &Job, steps: &[PostedStep]) -> StartingModes {
     }
 }
 
+/// Why an approach is written in another way than its path of the tool centre.
+const LONGER_LEAD: &str = "compensation begins with the line before the approach: the new control needs a lead-in that is longer than the radius";
+
+/// A program with its approaches as parts of compensated contours, and the proof that takes its contours; `None` where there
+/// are no such approaches, or where the tool centre goes otherwise with them.
+fn with_longer_leads<'a>(
+    old: &Job,
+    program: &PostedProgram,
+    proof: PostedProof<'a>,
+    options: &ConversionOptions,
+) -> Option<(LongerLeads, PostedProof<'a>)> {
+    let leads = LongerLeads::of(program)?;
+    let writer = writer_of(old.configured_control())?;
+    let writing = WriterOptions {
+        // Cycles have no contours.
+        written_out: (0..program.steps.len()).collect(),
+        digits: options.digits,
+        tolerance_mm: options.tolerance_mm,
+    };
+    let written = writer.write(&leads.program, &writing);
+    if !written.refusals.is_empty() {
+        return None;
+    }
+    let remarks = SourceRemarks::default();
+    let lines = StepLines { remarks: &remarks, carried_out: &BTreeSet::new(), lines: Vec::new() };
+    let text = assemble(&*writer, &written, &lines).text;
+    Some((leads, proof.with_contours_of(old, &text)?))
+}
+
+/// A text that was written, with its proof.
+#[derive(Default)]
+struct PostedText {
+    text: String,
+    changes: Vec<Change>,
+    certificate: Option<Certificate>,
+}
+
+impl PostedText {
+    fn holds(&self) -> bool {
+        self.certificate.as_ref().is_some_and(Certificate::holds)
+    }
+}
+
 /// Writes and compares, until nothing differs or nothing is left to write out.
 struct ConversionRounds<'a> {
     old: &'a Job<'a>,
     writer: &'a dyn ProgramWriter,
     remarks: &'a SourceRemarks,
     posted: &'a PostedRun,
+    /// What is written: the steps of the run, or the same with other approaches.
+    program: &'a PostedProgram,
     tools: &'a ProgramTools,
     proof: PostedProof<'a>,
     options: &'a ConversionOptions,
 }
 
 impl ConversionRounds<'_> {
-    fn run(&self, conversion: &mut Conversion) -> Result<(), Vec<ConvertRefusal>> {
+    fn run(&self) -> Result<PostedText, Vec<ConvertRefusal>> {
         let mut options = WriterOptions {
             written_out: BTreeSet::new(),
             digits: self.options.digits,
             tolerance_mm: self.options.tolerance_mm,
         };
         for round in 0..MAX_ROUNDS {
-            let written = self.writer.write(&self.posted.program, &options);
+            let written = self.writer.write(self.program, &options);
             let refusals = self.refusals(&written);
             if !refusals.is_empty() {
                 return Err(refusals);
@@ -349,18 +411,34 @@ impl ConversionRounds<'_> {
             if goes_on {
                 continue;
             }
-            conversion.text = text.text;
-            conversion.changes = self.changes(&written);
-            conversion.certificate = Some(outcome.certificate);
-            if let Some(reason) = outcome
-                .other_tool_axis
-                .filter(|_| conversion.certificate.as_ref().is_some_and(Certificate::holds))
-            {
+            if let Some(reason) = outcome.other_tool_axis.filter(|_| outcome.certificate.holds()) {
                 return Err(refusal(reason));
             }
-            return Ok(());
+            let changes = self.changes(&written);
+            let certificate = Some(outcome.certificate);
+            return Ok(PostedText { text: text.text, changes, certificate });
         }
-        Ok(())
+        Ok(PostedText::default())
+    }
+
+    /// Writes approaches as parts of compensated contours; `None` where the program does not hold with them.
+    fn run_with_longer_leads(self) -> Option<PostedText> {
+        let (leads, proof) = with_longer_leads(self.old, self.program, self.proof, self.options)?;
+        let rounds = ConversionRounds { program: &leads.program, proof, ..self };
+        let mut found = rounds.run().ok().filter(PostedText::holds)?;
+        let approaches = leads.steps.iter().map(|step| {
+            let origin = rounds.posted.origins.get(*step).copied().unwrap_or_default();
+            Change {
+                line: origin.line,
+                before: words_of_line(rounds.old, origin.span.file, origin.line),
+                after: String::new(),
+                reason: LONGER_LEAD.to_string(),
+            }
+        });
+        found.changes.extend(approaches);
+        found.changes.sort_by_key(|change| change.line);
+        found.changes.dedup();
+        Some(found)
     }
 
     fn text(&self, written: &WrittenProgram) -> AssembledText {
@@ -380,7 +458,7 @@ impl ConversionRounds<'_> {
         written_out: &mut BTreeSet<usize>,
         round: usize,
     ) {
-        let steps = &self.posted.program.steps;
+        let steps = &self.program.steps;
         let is_hole = |step: &usize| matches!(steps[*step].kind, PostedKind::Hole(_));
         let before = written_out.len();
         for difference in &outcome.certificate.comparison.differences {

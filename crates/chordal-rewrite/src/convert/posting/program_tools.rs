@@ -166,6 +166,17 @@ impl ProgramTools {
         }
     }
 
+    /// Puts the lengths that the program gives into the table of its own machine: the tip is then where the program says.
+    pub fn put_lengths_into(&self, machine: &mut Machine) {
+        for (number, own) in &self.0 {
+            if let Some(length) = own.length_mm {
+                let tool = machine.tools.entry(*number).or_default();
+                tool.offset[TOOL_AXIS] = Some(length);
+                tool.offset_wear[TOOL_AXIS] = None;
+            }
+        }
+    }
+
     /// In tables whose lengths are zero what the program adds is taken off, so that no length moves the tip.
     pub fn cancel_allowances(&self, machine: &mut Machine) {
         for (number, own) in self.0.iter().filter(|(_, own)| own.allowance_mm != 0.0) {
