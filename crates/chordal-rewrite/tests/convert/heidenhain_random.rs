@@ -171,10 +171,10 @@ impl KlartextPiece {
                 blocks
             }
             KlartextPiece::Helix { turns, radius, up } => {
-                let (from, rise) = if *up { (-8, "+2") } else { (0, "-2") };
+                let (from, rise) = if *up { ("-8", "+2") } else { ("+0", "-2") };
                 vec![
                     format!("L X+{radius} Y+0 R0 FMAX"),
-                    format!("L Z+{from} F200"),
+                    format!("L Z{from} F200"),
                     "CC X+0 Y+0".into(),
                     format!("CP IPA+{} IZ{rise} DR+ F350", 360 * u32::from(*turns) - 90),
                     "L Z+50 R0 FMAX".into(),
@@ -224,19 +224,20 @@ fn contour(
         1 => format!("APPR LN X+0 Y+20 LEN12 {side} F300"),
         2 => format!("APPR CT X+0 Y+20 CCA90 R+6 {side} F300"),
         3 => format!("APPR LCT X+0 Y+20 R5 {side} F300"),
-        4 => format!("APPR CT X+0 Y+20 CCA60 R-15 {side} F300"),
+        4 => format!("APPR CT X+0 Y+20 CCA60 R+15 {side} F300"),
         _ => format!("L X+0 Y+20 {side} F300"),
     };
+    let outside = if right { 30 } else { -30 };
     let last = match departure {
         0 => "DEP LT LEN10 F500".to_string(),
         1 => "DEP LN LEN+10 F500".into(),
         2 => "DEP CT CCA90 R+6 F500".into(),
-        3 => "DEP LCT X-30 Y+30 R5 F500".into(),
-        _ => "L X-30 Y+30 R0".into(),
+        3 => format!("DEP LCT X{outside:+} Y+30 R5 F500"),
+        _ => format!("L X{outside:+} Y+30 R0"),
     };
-    let outside = if right { 30 } else { -30 };
+    let start = if right { 15 } else { -10 };
     let mut blocks = vec![
-        format!("L X{outside:+} Y-10 R0 FMAX"),
+        format!("L X{outside:+} Y{start:+} R0 FMAX"),
         "L Z+2 FMAX".into(),
         format!("L Z-{depth} F200"),
         first,

@@ -17,6 +17,20 @@ const EQUAL_DIRECTION: f64 = 1e-4;
 /// A lead-in is longer than the radius by this share of it at least.
 const LEAD_MARGIN: f64 = 0.01;
 
+/// How an approach is written with compensation.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum LeadForm {
+    /// The last element is one of the contour, where it goes along it.
+    AlongContour,
+    /// The last element is the lead-in, if it is a line.
+    LastElement,
+}
+
+impl LeadForm {
+    /// The forms, the better one first.
+    pub const ALL: [LeadForm; 2] = [LeadForm::AlongContour, LeadForm::LastElement];
+}
+
 /// A program whose approaches are parts of compensated contours.
 pub(super) struct LongerLeads {
     /// The program, step by step as before.
@@ -27,11 +41,11 @@ pub(super) struct LongerLeads {
 
 impl LongerLeads {
     /// `None` where no approach can be written so.
-    pub fn of(program: &PostedProgram) -> Option<LongerLeads> {
+    pub fn of(program: &PostedProgram, form: LeadForm) -> Option<LongerLeads> {
         let mut found = LongerLeads { program: program.clone(), steps: Vec::new() };
         for at in 0..program.steps.len() {
             let Some(approach) = CenterApproach::at(program, at) else { continue };
-            if approach.replace(&mut found.program) {
+            if approach.replace(&mut found.program, form) {
                 found.steps.push(at);
             }
         }
@@ -87,8 +101,11 @@ impl<'p> CenterApproach<'p> {
     }
 
     /// Puts the approach with compensation in its place; false where it cannot be written so.
-    fn replace(&self, program: &mut PostedProgram) -> bool {
-        let moves = self.along_lead().or_else(|| self.along_contour());
+    fn replace(&self, program: &mut PostedProgram, form: LeadForm) -> bool {
+        let moves = match form {
+            LeadForm::AlongContour => self.along_contour().or_else(|| self.last_element()),
+            LeadForm::LastElement => self.last_element().or_else(|| self.along_contour()),
+        };
         let Some(moves) = moves else { return false };
         let switch = program.steps[self.switch].kind.clone();
         let kinds = std::iter::once(switch)
@@ -101,20 +118,21 @@ impl<'p> CenterApproach<'p> {
         true
     }
 
-    /// The last element goes straight to the contour: it and the lead-in are one line.
-    fn along_lead(&self) -> Option<ReplacedMoves> {
+    /// The last element, a line, and the lead-in are one line: the centre ends at the same place.
+    fn last_element(&self) -> Option<ReplacedMoves> {
         let element = self.command(self.element)?;
         let CommandKind::Line { motion, .. } = element else { return None };
         let to = self.command(self.lead)?.motion()?.to;
         let whole = Move { to, ..*motion };
-        let (direction, across) = (unit(between(motion.from, motion.to))?, unit(self.across)?);
-        let is_straight = (dot(direction, across) - 1.0).abs() < EQUAL_DIRECTION;
-        let is_long =
-            length(between(whole.from, whole.to)) > length(self.across) * (1.0 + LEAD_MARGIN);
-        (is_straight && is_long && is_flat(motion)).then(|| ReplacedMoves {
+        (self.is_long(&whole) && is_flat(motion)).then(|| ReplacedMoves {
             places: vec![self.element],
             commands: vec![moved_to(element, whole)],
         })
+    }
+
+    /// Longer than the radius.
+    fn is_long(&self, lead: &Move) -> bool {
+        length(between(lead.from, lead.to)) > length(self.across) * (1.0 + LEAD_MARGIN)
     }
 
     /// The last element goes along the contour: compensation begins with the line before it.
@@ -135,9 +153,7 @@ impl<'p> CenterApproach<'p> {
         };
         let mut lead = *start.motion()?;
         lead.to[..2].copy_from_slice(&contour.motion()?.from[..2]);
-        let is_long =
-            length(between(lead.from, lead.to)) > length(self.across) * (1.0 + LEAD_MARGIN);
-        (is_straight && is_long).then(|| ReplacedMoves {
+        (is_straight && self.is_long(&lead)).then(|| ReplacedMoves {
             places: vec![first, self.element],
             commands: vec![moved_to(start, lead), contour],
         })

@@ -26,12 +26,10 @@ pub(super) struct PostedProof<'a> {
     with_lengths: Job<'a>,
     /// The machine positions of its tool axis.
     turns: Vec<f64>,
-    /// A program with the same path of the tool centre, whose contours may stand for those of the old one.
-    contours: Option<ContourTwin>,
 }
 
 /// A program of the old control whose tool centre goes as that of the old one, with other compensated contours.
-struct ContourTwin {
+pub(super) struct ContourTwin {
     job: Job<'static>,
     commands: Vec<Command>,
     /// How far its path is from that of the old program, mm.
@@ -81,18 +79,17 @@ impl<'a> PostedProof<'a> {
             commands,
             with_lengths,
             turns,
-            contours: None,
         })
     }
 
-    /// The same proof with the contours of another text for the old machine, for new programs that are compensated in another
-    /// way; `None` where the tool centre of that text does not go as that of the old program.
-    pub fn with_contours_of(mut self, old: &Job, text: &str) -> Option<PostedProof<'a>> {
+    /// A text for the old machine, whose contours may stand for those of the old program; `None` where its tool centre does not
+    /// go the same way.
+    pub fn contour_twin(&self, old: &Job, text: String) -> Option<ContourTwin> {
         let tables = TableSet::WITHOUT_LENGTHS;
         let mut machine = tables.fill(old.machine(), old.profile(), self.used);
         self.tools.put_into(&mut machine);
         self.tools.cancel_allowances(&mut machine);
-        let job = job("contours", text.to_string(), &machine)?;
+        let job = job("contours", text, &machine)?;
         let mut same =
             proof(&self.commands, [&self.without_lengths, &job], self.options, self.terms());
         same.set_aside(begins_compensation);
@@ -101,23 +98,22 @@ impl<'a> PostedProof<'a> {
         }
         let commands = RecordedRun::of(&job).commands;
         let apart_mm = same.comparison.max_distance_mm.unwrap_or(0.0);
-        self.contours = Some(ContourTwin { job, commands, apart_mm });
-        Some(self)
+        Some(ContourTwin { job, commands, apart_mm })
     }
 
-    /// Compares the path, and the machine positions of the tool's axis; `None` where the machine has settings that its
-    /// control does not know.
-    pub fn of(&self, text: &str) -> Option<ProofOutcome> {
-        let certificate = self.paths(text)?;
+    /// Compares the path, or the contours with those of a twin, and the machine positions of the tool's axis; `None` where the
+    /// machine has settings that its control does not know.
+    pub fn of(&self, text: &str, twin: Option<&ContourTwin>) -> Option<ProofOutcome> {
+        let certificate = self.paths(text, twin)?;
         let other_tool_axis = self.tool_axis(text)?;
         Some(ProofOutcome { certificate, other_tool_axis })
     }
 
     /// The paths, on machines whose tools all have the length zero.
-    fn paths(&self, text: &str) -> Option<Certificate> {
+    fn paths(&self, text: &str, twin: Option<&ContourTwin>) -> Option<Certificate> {
         let new = self.job(text, TableSet::WITHOUT_LENGTHS)?;
         let own = proof(&self.commands, [&self.without_lengths, &new], self.options, self.terms());
-        let Some(twin) = self.contours.as_ref().filter(|_| !own.holds()) else { return Some(own) };
+        let Some(twin) = twin.filter(|_| !own.holds()) else { return Some(own) };
         // Both steps together keep to the tolerance.
         let tolerance_mm = self.options.tolerance_mm - twin.apart_mm;
         let options = ConversionOptions { tolerance_mm, ..self.options.clone() };

@@ -29,9 +29,9 @@ use chordal::machine::{AXES, AXIS_LETTERS};
 use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
 use chordal_compare::ComparisonVerdict;
 
-use self::approaches::LongerLeads;
+use self::approaches::{LeadForm, LongerLeads};
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
-use self::certificate::{PostedProof, ProofOutcome};
+use self::certificate::{ContourTwin, PostedProof, ProofOutcome};
 use self::places::UnplacedCommand;
 use self::program_tools::ProgramTools;
 use self::recorded::RecordedRun;
@@ -61,13 +61,18 @@ pub(super) fn prove_posted(
 ) -> Option<Certificate> {
     let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
     let tools = program_tools(old, &used).ok()?;
-    let new_proof = || PostedProof::new(old, machine, &used, &tools, options);
-    let mut outcome = new_proof()?.of(&text)?;
-    if !outcome.certificate.holds()
-        && let Ok(posted) = PostedRun::of(old, &used, options)
-        && let Some((_, proof)) = with_longer_leads(old, &posted.program, new_proof()?, options)
-    {
-        outcome = proof.of(&text)?;
+    let proof = PostedProof::new(old, machine, &used, &tools, options)?;
+    let mut outcome = proof.of(&text, None)?;
+    if !outcome.certificate.holds() {
+        let posted = PostedRun::of(old, &used, options).ok()?;
+        for form in LeadForm::ALL {
+            let other = longer_leads(old, &posted.program, form, &proof, options);
+            let other = other.and_then(|(_, twin)| proof.of(&text, Some(&twin)));
+            if let Some(other) = other.filter(|other| other.certificate.holds()) {
+                outcome = other;
+                break;
+            }
+        }
     }
     let ProofOutcome { mut certificate, other_tool_axis } = outcome;
     if other_tool_axis.is_some() {
@@ -132,7 +137,8 @@ fn converted(
         posted: &posted,
         program: &posted.program,
         tools: &tools,
-        proof,
+        proof: &proof,
+        twin: None,
         options,
     };
     let found = rounds.run()?;
@@ -334,15 +340,16 @@ fn starting_modes(old: &Job, steps: &[PostedStep]) -> StartingModes {
 /// Why an approach is written in another way than its path of the tool centre.
 const LONGER_LEAD: &str = "compensation begins with the line before the approach: the new control needs a lead-in that is longer than the radius";
 
-/// A program with its approaches as parts of compensated contours, and the proof that takes its contours; `None` where there
-/// are no such approaches, or where the tool centre goes otherwise with them.
-fn with_longer_leads<'a>(
+/// A program with its approaches as parts of compensated contours, and the same on the old machine; `None` where there are no
+/// such approaches, or where the tool centre goes otherwise with them.
+fn longer_leads(
     old: &Job,
     program: &PostedProgram,
-    proof: PostedProof<'a>,
+    form: LeadForm,
+    proof: &PostedProof<'_>,
     options: &ConversionOptions,
-) -> Option<(LongerLeads, PostedProof<'a>)> {
-    let leads = LongerLeads::of(program)?;
+) -> Option<(LongerLeads, ContourTwin)> {
+    let leads = LongerLeads::of(program, form)?;
     let writer = writer_of(old.configured_control())?;
     let writing = WriterOptions {
         // Cycles have no contours.
@@ -357,7 +364,7 @@ fn with_longer_leads<'a>(
     let remarks = SourceRemarks::default();
     let lines = StepLines { remarks: &remarks, carried_out: &BTreeSet::new(), lines: Vec::new() };
     let text = assemble(&*writer, &written, &lines).text;
-    Some((leads, proof.with_contours_of(old, &text)?))
+    Some((leads, proof.contour_twin(old, text)?))
 }
 
 /// A text that was written, with its proof.
@@ -383,7 +390,9 @@ struct ConversionRounds<'a> {
     /// What is written: the steps of the run, or the same with other approaches.
     program: &'a PostedProgram,
     tools: &'a ProgramTools,
-    proof: PostedProof<'a>,
+    proof: &'a PostedProof<'a>,
+    /// Where the contours are those of other approaches.
+    twin: Option<&'a ContourTwin>,
     options: &'a ConversionOptions,
 }
 
@@ -401,7 +410,7 @@ impl ConversionRounds<'_> {
                 return Err(refusals);
             }
             let text = self.text(&written);
-            let outcome = self.proof.of(&text.text).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
+            let outcome = self.proof.of(&text.text, self.twin).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
             let holds = outcome.certificate.holds() && outcome.other_tool_axis.is_none();
             let before = options.written_out.len();
             if !holds {
@@ -422,23 +431,29 @@ impl ConversionRounds<'_> {
     }
 
     /// Writes approaches as parts of compensated contours; `None` where the program does not hold with them.
-    fn run_with_longer_leads(self) -> Option<PostedText> {
-        let (leads, proof) = with_longer_leads(self.old, self.program, self.proof, self.options)?;
-        let rounds = ConversionRounds { program: &leads.program, proof, ..self };
-        let mut found = rounds.run().ok().filter(PostedText::holds)?;
-        let approaches = leads.steps.iter().map(|step| {
-            let origin = rounds.posted.origins.get(*step).copied().unwrap_or_default();
-            Change {
-                line: origin.line,
-                before: words_of_line(rounds.old, origin.span.file, origin.line),
-                after: String::new(),
-                reason: LONGER_LEAD.to_string(),
-            }
-        });
-        found.changes.extend(approaches);
-        found.changes.sort_by_key(|change| change.line);
-        found.changes.dedup();
-        Some(found)
+    fn run_with_longer_leads(&self) -> Option<PostedText> {
+        LeadForm::ALL.into_iter().find_map(|form| {
+            let (leads, twin) =
+                longer_leads(self.old, self.program, form, self.proof, self.options)?;
+            let rounds =
+                ConversionRounds { program: &leads.program, twin: Some(&twin), ..*self };
+            let mut found = rounds.run().ok().filter(PostedText::holds)?;
+            found.changes.extend(leads.steps.iter().map(|step| self.lead_change(*step)));
+            found.changes.sort_by_key(|change| change.line);
+            found.changes.dedup();
+            Some(found)
+        })
+    }
+
+    /// What was changed at an approach.
+    fn lead_change(&self, step: usize) -> Change {
+        let origin = self.posted.origins.get(step).copied().unwrap_or_default();
+        Change {
+            line: origin.line,
+            before: words_of_line(self.old, origin.span.file, origin.line),
+            after: String::new(),
+            reason: LONGER_LEAD.to_string(),
+        }
     }
 
     fn text(&self, written: &WrittenProgram) -> AssembledText {
