@@ -53,6 +53,12 @@ impl LongerLeads {
     }
 }
 
+/// The steps at which compensation begins where the centre is as far from the contour as the radius.
+pub(super) fn center_approaches(program: &PostedProgram) -> Vec<usize> {
+    let steps = 0..program.steps.len();
+    steps.filter(|step| CenterApproach::at(program, *step).is_some()).collect()
+}
+
 /// An approach, by the steps of its moves.
 struct CenterApproach<'p> {
     program: &'p PostedProgram,

@@ -26,10 +26,10 @@ use chordal::control::{
 };
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, AXIS_LETTERS};
-use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
-use chordal_compare::ComparisonVerdict;
+use chordal::{Code, Command, CommandKind, Diagnostic, Job, Machine, Span};
+use chordal_compare::{Category, ComparisonVerdict, Difference, DifferenceValue};
 
-use self::approaches::{LeadForm, LongerLeads};
+use self::approaches::{LeadForm, LongerLeads, center_approaches};
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
 use self::certificate::{ContourTwin, PostedProof, ProofOutcome};
 use self::places::UnplacedCommand;
@@ -39,8 +39,8 @@ use self::remarks::SourceRemarks;
 use self::tables::{TableSet, UsedNumbers, with_tables_of};
 use self::word_writer::WordAddressWriter;
 use super::{
-    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, UNKNOWN_SETTINGS, other_diameters,
-    own_problems,
+    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, UNKNOWN_SETTINGS, error_refusal,
+    other_diameters, own_errors,
 };
 use crate::word_address::other_language;
 use crate::{Certificate, Change};
@@ -116,9 +116,11 @@ fn converted(
     if let Some(differs) = other_diameters(old, &machine) {
         return Err(vec![differs]);
     }
-    let problems = own_problems(old, options);
-    if !problems.is_empty() {
-        return Err(problems);
+    let errors = own_errors(old, options);
+    if !errors.is_empty() {
+        let refusal =
+            |error: &Diagnostic| error_refusal(old, error, advice_on(error, old.machine()));
+        return Err(errors.iter().map(refusal).collect());
     }
     let remarks = single_program(old)?;
     check_verified(old)?;
@@ -144,11 +146,25 @@ fn converted(
     let found = rounds.run()?;
     let found = match found.holds() {
         true => found,
-        false => rounds.run_with_longer_leads().unwrap_or(found),
+        false => match rounds.run_with_longer_leads() {
+            Some(found) => found,
+            None => {
+                rounds.check_leads(&found)?;
+                found
+            }
+        },
     };
     (conversion.text, conversion.changes) = (found.text, found.changes);
     conversion.certificate = found.certificate;
     Ok(())
+}
+
+/// What can be done about an error on a machine.
+fn advice_on<'d>(error: &'d Diagnostic, machine: &Machine) -> Option<&'d str> {
+    const OTHER_MACHINE: &str = "name the machine that the program was written for with --machine: its file says which rotary axes it has";
+    let turns = machine.axes[3..].iter().any(Option::is_some);
+    let needs_rotary = matches!(error.code, Code::TiltedPlane | Code::NoSuchAxis);
+    error.help.as_deref().or((needs_rotary && !turns).then_some(OTHER_MACHINE))
 }
 
 /// What the program says about its tools.
@@ -246,7 +262,7 @@ fn single_program(old: &Job) -> Result<SourceRemarks, Vec<ConvertRefusal>> {
             old,
             FileId(0),
             line,
-            "block delete (/) decides at the machine what runs, and a program that is written from its run has one way only",
+            "block delete (/) decides at the machine what runs, and a program that is written from its run has one way only: take the slash away, or the block, and convert again",
         )]),
         None => Ok(remarks),
     }
@@ -264,7 +280,12 @@ fn check_verified(old: &Job) -> Result<(), Vec<ConvertRefusal>> {
     };
     let span = reason.primary.span;
     let line = old.sources().get(span.file).map_or(0, |source| source.line_of(span.range.start));
-    let reason = format!("the run of the program is not verified: {}", reason.message);
+    let advice = match reason.code {
+        Code::CyclePathAssumed => "what is assumed cannot be proved, so write these moves out in the program, or take a cycle of the new control".to_string(),
+        _ => reason.help.clone().unwrap_or_default(),
+    };
+    let advice = if advice.is_empty() { advice } else { format!("; {advice}") };
+    let reason = format!("the run of the program is not verified: {}{advice}", reason.message);
     Err(vec![line_refusal(old, span.file, line, reason)])
 }
 
@@ -367,6 +388,9 @@ fn longer_leads(
     Some((leads, proof.contour_twin(old, text)?))
 }
 
+/// Why an approach cannot be written.
+const SHORT_LEAD: &str = "this approach leads the tool centre to the contour, and compensation begins there with a lead-in as long as the radius: the new control needs a longer one, so begin the approach further away from the contour, or approach with RL or RR on a line that is longer than the radius";
+
 /// A text that was written, with its proof.
 #[derive(Default)]
 struct PostedText {
@@ -410,7 +434,8 @@ impl ConversionRounds<'_> {
                 return Err(refusals);
             }
             let text = self.text(&written);
-            let outcome = self.proof.of(&text.text, self.twin).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
+            let outcome =
+                self.proof.of(&text.text, self.twin).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
             let holds = outcome.certificate.holds() && outcome.other_tool_axis.is_none();
             let before = options.written_out.len();
             if !holds {
@@ -435,14 +460,35 @@ impl ConversionRounds<'_> {
         LeadForm::ALL.into_iter().find_map(|form| {
             let (leads, twin) =
                 longer_leads(self.old, self.program, form, self.proof, self.options)?;
-            let rounds =
-                ConversionRounds { program: &leads.program, twin: Some(&twin), ..*self };
+            let rounds = ConversionRounds { program: &leads.program, twin: Some(&twin), ..*self };
             let mut found = rounds.run().ok().filter(PostedText::holds)?;
             found.changes.extend(leads.steps.iter().map(|step| self.lead_change(*step)));
             found.changes.sort_by_key(|change| change.line);
             found.changes.dedup();
             Some(found)
         })
+    }
+
+    /// A text with lead-ins that its control does not take is no use to anybody.
+    fn check_leads(&self, found: &PostedText) -> Result<(), Vec<ConvertRefusal>> {
+        let differences = found.certificate.iter().flat_map(|one| &one.comparison.differences);
+        let is_short = |difference: &Difference| {
+            matches!(
+                &difference.values,
+                Some([DifferenceValue::Nothing, DifferenceValue::Text(text)])
+                    if difference.category == Category::Problem
+                        && text.starts_with(Code::LeadInTooShort.id())
+            )
+        };
+        if !differences.into_iter().any(is_short) {
+            return Ok(());
+        }
+        let refusals: Vec<ConvertRefusal> = center_approaches(self.program)
+            .into_iter()
+            .filter_map(|step| self.posted.origins.get(step))
+            .map(|origin| line_refusal(self.old, origin.span.file, origin.line, SHORT_LEAD))
+            .collect();
+        if refusals.is_empty() { Ok(()) } else { Err(refusals) }
     }
 
     /// What was changed at an approach.
