@@ -38,7 +38,7 @@ const OTHER_TYPES: [&str; 9] = ["TCHP", "TURN", "GF", "GSF", "EP", "WSP", "BGF",
 /// these do not describe it.
 fn shape_of(tool: &Tool, kind: Option<&str>, has_corner_radius: bool) -> Option<ToolShape> {
     let is_kind = |other: &&str| kind.is_some_and(|kind| kind.eq_ignore_ascii_case(other));
-    if OTHER_TYPES.iter().any(|other| is_kind(&other)) {
+    if OTHER_TYPES.iter().any(is_kind) {
         return None;
     }
     if tool.point_angle_rad.is_some() {

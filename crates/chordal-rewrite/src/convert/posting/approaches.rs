@@ -147,15 +147,14 @@ impl<'p> CenterApproach<'p> {
         let first = move_before(self.program, self.element)?;
         let start = self.command(first)?;
         let is_straight = matches!(start, CommandKind::Line { .. } | CommandKind::Rapid { .. });
-        let contour = match element {
-            CommandKind::Line { motion, .. } if is_flat(motion) => {
-                moved_to(element, self.shifted_line(motion)?)
-            }
-            CommandKind::Arc { motion, shape, feed } if is_flat(motion) => {
-                let (motion, shape) = self.widened_arc(motion, shape)?;
-                CommandKind::Arc { motion, shape, feed: *feed }
-            }
-            _ => return None,
+        let along = element.motion().filter(|motion| is_flat(motion))?;
+        let contour = if let CommandKind::Arc { shape, feed, .. } = element {
+            let (motion, shape) = self.widened_arc(along, shape)?;
+            CommandKind::Arc { motion, shape, feed: *feed }
+        } else if matches!(element, CommandKind::Line { .. }) {
+            moved_to(element, self.shifted_line(along)?)
+        } else {
+            return None;
         };
         let mut lead = *start.motion()?;
         lead.to[..2].copy_from_slice(&contour.motion()?.from[..2]);

@@ -33,7 +33,7 @@ pub(super) struct ContourTwin {
     job: Job<'static>,
     commands: Vec<Command>,
     /// How far its path is from that of the old program, mm.
-    apart_mm: f64,
+    distance_mm: f64,
 }
 
 /// Compensation is active where it was not: the path of the tool centre says whether that is right.
@@ -97,8 +97,8 @@ impl<'a> PostedProof<'a> {
             return None;
         }
         let commands = RecordedRun::of(&job).commands;
-        let apart_mm = same.comparison.max_distance_mm.unwrap_or(0.0);
-        Some(ContourTwin { job, commands, apart_mm })
+        let distance_mm = same.comparison.max_distance_mm.unwrap_or(0.0);
+        Some(ContourTwin { job, commands, distance_mm })
     }
 
     /// Compares the path, or the contours with those of a twin, and the machine positions of the tool's axis; `None` where the
@@ -115,7 +115,7 @@ impl<'a> PostedProof<'a> {
         let own = proof(&self.commands, [&self.without_lengths, &new], self.options, self.terms());
         let Some(twin) = twin.filter(|_| !own.holds()) else { return Some(own) };
         // Both steps together keep to the tolerance.
-        let tolerance_mm = self.options.tolerance_mm - twin.apart_mm;
+        let tolerance_mm = self.options.tolerance_mm - twin.distance_mm;
         let options = ConversionOptions { tolerance_mm, ..self.options.clone() };
         let contours = proof(&twin.commands, [&twin.job, &new], &options, self.terms());
         if !contours.holds() {
