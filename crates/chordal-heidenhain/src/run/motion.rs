@@ -258,7 +258,7 @@ impl KlartextInterpreter<'_> {
         let is_mirrored = match self.modes.frame.in_plane(plane) {
             InPlane::Similar { mirrored, .. } => mirrored,
             InPlane::Unequal { .. } | InPlane::Tilted => {
-                let what = "an arc in a plane that is scaled unequally is not followed: it is drawn as a line";
+                let what = "an arc in a plane that is scaled unequally, or that a rotation tilts, is not followed: it is drawn as a line";
                 self.not_followed(self.here, what);
                 return self.kernel.straight_instead(&view, target, named);
             }

@@ -46,7 +46,7 @@ use std::collections::BTreeMap;
 
 use chordal::control::{ControlTable, RotarySurface, table};
 use chordal::machine::AXIS_LETTERS;
-use chordal::{CommandKind, Job, Machine, Severity, Source as Text, SourceMap};
+use chordal::{CommandKind, Diagnostic, Job, Machine, Severity, Source as Text, SourceMap};
 use chordal_compare::{Category, ComparisonVerdict, Difference};
 
 use self::certify::{FreeCycleLines, LIMITS, ProofTerms, proof};
@@ -443,25 +443,28 @@ fn missing_axes(old: &Job, target: &Machine, trace: &ProgramTrace) -> Vec<Conver
 
 /// Errors of the program on its own control.
 fn own_problems(old: &Job, options: &ConversionOptions) -> Vec<ConvertRefusal> {
+    own_errors(old, options).iter().map(|one| error_refusal(old, one, None)).collect()
+}
+
+/// The errors of the program on its own control, where they count.
+fn own_errors(old: &Job, options: &ConversionOptions) -> Vec<Diagnostic> {
     if options.despite_errors {
         return Vec::new();
     }
-    let report = old.check();
-    let counts = report
-        .diagnostics
-        .iter()
-        .filter(|one| one.severity == Severity::Error && !LIMITS.contains(&one.code));
-    counts
-        .map(|one| {
-            let span = one.primary.span;
-            let source = old.sources().get(span.file);
-            let line = source.map_or(0, |source| source.line_of(span.range.start));
-            let words = source.map(|source| String::from_utf8_lossy(source.line_text(line)));
-            ConvertRefusal {
-                line,
-                words: words.unwrap_or_default().trim().to_string(),
-                reason: format!("an error on the original control: {}", one.message),
-            }
-        })
-        .collect()
+    let counts = |one: &Diagnostic| one.severity == Severity::Error && !LIMITS.contains(&one.code);
+    old.check().diagnostics.into_iter().filter(counts).collect()
+}
+
+/// The refusal because of an error, with what can be done about it.
+fn error_refusal(old: &Job, error: &Diagnostic, help: Option<&str>) -> ConvertRefusal {
+    let span = error.primary.span;
+    let source = old.sources().get(span.file);
+    let line = source.map_or(0, |source| source.line_of(span.range.start));
+    let words = source.map(|source| String::from_utf8_lossy(source.line_text(line)));
+    let help = help.map_or_else(String::new, |help| format!(" ({help})"));
+    ConvertRefusal {
+        line,
+        words: words.unwrap_or_default().trim().to_string(),
+        reason: format!("an error on the original control: {}{help}", error.message),
+    }
 }

@@ -2,23 +2,21 @@
 
 use chordal::{Job, Source, SourceMap};
 use chordal_rewrite::convert::{ConversionOptions, convert};
-use proptest::prelude::*;
-use proptest::strategy::ValueTree;
-use proptest::test_runner::TestRunner;
 
-use super::posted::{RoundTrip, assert_changes_are_seen, names_in, wide, with_lengths};
-use super::random::{RandomBlock, piece, program};
+use super::posted::{RoundTrip, assert_changes_are_seen, names_in, wide};
 use super::{VerdictTable, converted, job, text_of, verdict};
 
 /// The machines that the programs for mills with three axes are converted to.
-const TARGETS: [&str; 4] = ["fanuc-0i", "haas-vf2", "sinumerik-mill", "linuxcnc-mill"];
+pub(super) const TARGETS: [&str; 4] = ["fanuc-0i", "haas-vf2", "sinumerik-mill", "linuxcnc-mill"];
 
-/// The frozen programs that are right; those that others call are next to them.
+/// The frozen programs that are right; those that others call, and datum tables, are next to them.
 #[test]
 fn frozen_programs() {
     let folder = "tests/heidenhain/programs";
     let names = names_in(folder);
-    let is_called = |name: &&String| text_of(&format!("{folder}/{name}")).contains("; = called");
+    let is_called = |name: &&String| {
+        name.ends_with(".d") || text_of(&format!("{folder}/{name}")).contains("; = called")
+    };
     let called: Vec<&String> = names.iter().filter(is_called).collect();
     let mut table = VerdictTable::default();
     for name in names.iter().filter(|name| !called.contains(name)) {
@@ -46,56 +44,6 @@ fn tool_names(text: &str) -> Vec<String> {
     names.sort();
     names.dedup();
     names
-}
-
-/// Random word-address programs to conversational ones, back again, and on to the other targets.
-#[test]
-fn random_programs() {
-    #[allow(clippy::disallowed_methods, reason = "the number of rounds")]
-    let rounds = std::env::var("CHORDAL_ROUNDS").ok().and_then(|text| text.parse().ok());
-    let rounds: usize = rounds.unwrap_or(80);
-    let mut runner = TestRunner::default();
-    let pieces = || prop::collection::vec(piece(), 1..9);
-    let strategy = (pieces(), prop::collection::vec(pieces(), 3..4));
-    let (mut proved, mut back, mut on, mut refused) = (0, 0, 0, Vec::new());
-    for round in 0..rounds {
-        let (mut main, subs) = strategy.new_tree(&mut runner).expect("a program").current();
-        main.extend((0..3).map(|sub| RandomBlock::Call(sub, 1)));
-        // The machine has three axes.
-        let has_axis = |piece: &RandomBlock| !matches!(piece, RandomBlock::Turn(..));
-        main.retain(has_axis);
-        let subs: Vec<Vec<RandomBlock>> =
-            subs.into_iter().map(|sub| sub.into_iter().filter(has_axis).collect()).collect();
-        for control in ["fanuc-30i", "haas-vf2"] {
-            let text = with_lengths(&program(control, &main, &subs));
-            let old = job(&text, wide(control));
-            let trip = RoundTrip::through(&old, &wide("heidenhain-mill"));
-            let [there, again] = trip.holds();
-            proved += usize::from(there);
-            back += usize::from(again);
-            if !(there && again) {
-                refused.push(trip.verdict());
-            }
-            if there {
-                let middle = job(&trip.there.text, trip.there.machine.clone());
-                let found = converted(&middle, TARGETS[round % TARGETS.len()]);
-                on += usize::from(found.holds());
-                if !found.holds() {
-                    refused.push(format!("on: {}", verdict(&found)));
-                }
-            }
-            assert!(
-                trip.is_proved_or_refused(),
-                "{control}: {}\n{text}\n====\n{}\n====\n{}",
-                trip.verdict(),
-                trip.there.text,
-                trip.back.map(|back| back.text).unwrap_or_default()
-            );
-        }
-    }
-    refused.sort();
-    println!("{proved} of {} proved, {back} of them back again, {on} on; {refused:#?}", 2 * rounds);
-    assert!(back * 10 > rounds * 2 * 9, "{refused:#?}");
 }
 
 const BRACKET: &str = "\
@@ -366,6 +314,9 @@ fn refusals_have_a_sentence() {
         "1 TOOL CALL 1 Z S900\n2 L Z+5 R0 FMAX M3\n/ 3 L X+10 F100\n",
         "1 TOOL CALL 1 Y S900\n2 L Y+5 R0 FMAX M3\n3 L X+10 F100\n",
         "1 TOOL CALL 1 Z S900 DL+1\n2 L Z+5 R0 FMAX M3\n3 L X+10 F100\n4 TOOL CALL 1 Z DL+2\n5 L Z+0\n",
+        "1 TOOL DEF 1 L+0 R+5\n2 TOOL CALL 1 Z S900\n3 L X-7 Y+14 R0 FMAX M3\n4 L Z-5 F300\n5 APPR CT X+0 Y+20 CCA90 R+2 RL F300\n6 L Y+60\n7 DEP LT LEN10\n",
+        "1 TOOL DEF 5 L+0 R+5\n2 TOOL CALL 5 Z S900\n3 L Z+5 R0 FMAX M3\n4 CYCL DEF 209 TAPPING W/ CHIP BRKG Q200=5 Q201=-20 Q239=+1 Q203=+0 Q204=+20 Q257=5 Q256=1 Q336=0\n5 L X+5 Y+5 FMAX M99\n",
+        "1 TOOL DEF 5 L+0 R+5\n2 TOOL CALL 5 Z S900\n3 L Z+5 R0 FMAX M3\n4 CYCL DEF 256 RECTANGULAR STUD Q218=60 Q424=70 Q219=40 Q425=50 Q220=5 Q368=0 Q224=0 Q367=0 Q207=500 Q351=+1 Q201=-5 Q202=5 Q206=150 Q200=2 Q203=+0 Q204=20 Q370=1 Q437=0 Q215=0 Q369=0 Q338=0 Q385=500\n5 L X+5 Y+5 FMAX M99\n",
         "1 TOOL CALL \"MILL\" Z S900\n2 L Z+5 R0 FMAX M3\n3 L X+10 F100\n",
         "1 TOOL CALL 1 Z S900\n2 L Z+5 R0 FMAX M3\n3 PLANE SPATIAL SPA+10 SPB+0 SPC+0 STAY\n4 L X+10 F100\n",
     ] {
@@ -383,4 +334,50 @@ fn compensation_after_arcs_in_other_planes() {
     );
     let texts = proved_both_ways(&text, "fanuc-30i");
     has_lines(&texts, [&["L X+0 Y+0 RL", "L Y-20 R0"], &["G41 D1", "G40"]]);
+}
+
+/// TOOL DEF gives a length that the tool table does not have.
+#[test]
+fn lengths_of_the_program_itself() {
+    let text = "0 BEGIN PGM A MM\n1 TOOL DEF 5 L+30 R+6\n2 TOOL CALL 5 Z S900\n3 L Z+50 R0 FMAX M3\n4 L X-15 Y+35 FMAX\n5 L Z-3 F200\n6 L X+20\n7 L Z+50 FMAX M30\n8 END PGM A MM\n";
+    let old = job(text, wide("heidenhain-mill"));
+    for target in TARGETS {
+        let found = converted(&old, target);
+        assert!(found.holds(), "{target}: {}\n{}", verdict(&found), found.text);
+        assert_eq!(found.machine.tools[&5].offset[2], Some(30.0));
+    }
+}
+
+/// On controls that need a lead-in longer than the radius, compensation begins with the line before the approach.
+#[test]
+fn approaches_are_parts_of_contours() {
+    for (approach, lines) in [
+        ("APPR LT X+5 Y+5 LEN15 RL F300", ["G41 D18 X5. Y-10.", "Y5. F300."]),
+        ("APPR LN X+5 Y+5 LEN15 RL F300", ["G41 D18 X5.", "Y95."]),
+        ("APPR CT X+5 Y+5 CCA90 R+4 RL F300", ["G41 D18 ", "G3 X5. Y5."]),
+        ("APPR LCT X+5 Y+5 R5 RL F300", ["G41 D18 ", "G3 X5. Y5."]),
+    ] {
+        let text = format!(
+            "0 BEGIN PGM A MM\n1 TOOL DEF 18 L+0 R+10\n2 TOOL CALL 18 Z S3000\n3 L Z+250 R0 FMAX M3\n4 L X-20 Y-20 R0 FMAX\n5 L Z-8 R0 F1000\n6 {approach}\n7 L X+5 Y+95\n8 L X+95 Y+95\n9 L X+95 Y+5\n10 L X+5 Y+5\n11 DEP LT LEN10 F1000\n12 L Z+250 R0 FMAX M30\n13 END PGM A MM\n"
+        );
+        let old = job(&text, wide("heidenhain-mill"));
+        for target in ["haas-vf2", "linuxcnc-mill"] {
+            let found = converted(&old, target);
+            assert!(found.holds(), "{target}: {}\n{}", verdict(&found), found.text);
+            for line in lines {
+                assert!(found.text.contains(line), "{line} is not in\n{}", found.text);
+            }
+            let reasons = found.changes.iter().filter(|one| one.reason.contains("lead-in"));
+            assert_eq!(reasons.map(|one| one.line).collect::<Vec<u32>>(), [7], "{}", found.text);
+            let changes = [
+                (lines[0], "G41 D18 X4.9 Y-9."),
+                ("G41 D18", "G41 D17"),
+                ("Y95.", "Y95.02"),
+                ("X95.", "X95. F310."),
+            ];
+            if target == "haas-vf2" && approach.contains("APPR LT") {
+                assert_changes_are_seen(&old, &found, &changes);
+            }
+        }
+    }
 }

@@ -5,6 +5,7 @@ mod documents;
 mod five_axes;
 mod forms;
 mod heidenhain;
+mod heidenhain_random;
 mod kept;
 mod lathes;
 mod posted;

@@ -1,6 +1,7 @@
 //! The proof that a program written from its run does the same.
 
 use chordal::{Command, CommandKind, Job, Machine};
+use chordal_compare::{Category, Difference, DifferenceValue};
 
 use super::super::certify::{ProofTerms, proof};
 use super::super::{ConversionOptions, codes, job};
@@ -27,6 +28,20 @@ pub(super) struct PostedProof<'a> {
     turns: Vec<f64>,
 }
 
+/// A program of the old control whose tool centre goes as that of the old one, with other compensated contours.
+pub(super) struct ContourTwin {
+    job: Job<'static>,
+    commands: Vec<Command>,
+    /// How far its path is from that of the old program, mm.
+    distance_mm: f64,
+}
+
+/// Compensation is active where it was not: the path of the tool centre says whether that is right.
+fn begins_compensation(difference: &Difference) -> bool {
+    difference.category == Category::RadiusOffset
+        && matches!(difference.values, Some([DifferenceValue::Nothing, DifferenceValue::Number(_)]))
+}
+
 /// What the proof found.
 pub(super) struct ProofOutcome {
     pub certificate: Certificate,
@@ -45,6 +60,7 @@ impl<'a> PostedProof<'a> {
     ) -> Option<PostedProof<'a>> {
         let on = |tables: TableSet| {
             let mut machine = tables.fill(old.machine(), old.profile(), used);
+            tools.put_lengths_into(&mut machine);
             if tables.lengths == FilledLengths::Zero {
                 tools.cancel_allowances(&mut machine);
             }
@@ -66,22 +82,54 @@ impl<'a> PostedProof<'a> {
         })
     }
 
-    /// Compares the path, and the machine positions of the tool's axis; `None` where the machine has settings that its
-    /// control does not know.
-    pub fn of(&self, text: &str) -> Option<ProofOutcome> {
-        let certificate = self.paths(text)?;
+    /// A text for the old machine, whose contours may stand for those of the old program; `None` where its tool centre does not
+    /// go the same way.
+    pub fn contour_twin(&self, old: &Job, text: String) -> Option<ContourTwin> {
+        let tables = TableSet::WITHOUT_LENGTHS;
+        let mut machine = tables.fill(old.machine(), old.profile(), self.used);
+        self.tools.put_into(&mut machine);
+        self.tools.cancel_allowances(&mut machine);
+        let job = job("contours", text, &machine)?;
+        let mut same =
+            proof(&self.commands, [&self.without_lengths, &job], self.options, self.terms());
+        same.set_aside(begins_compensation);
+        if !same.holds() || same.tool_center.is_some() {
+            return None;
+        }
+        let commands = RecordedRun::of(&job).commands;
+        let distance_mm = same.comparison.max_distance_mm.unwrap_or(0.0);
+        Some(ContourTwin { job, commands, distance_mm })
+    }
+
+    /// Compares the path, or the contours with those of a twin, and the machine positions of the tool's axis; `None` where the
+    /// machine has settings that its control does not know.
+    pub fn of(&self, text: &str, twin: Option<&ContourTwin>) -> Option<ProofOutcome> {
+        let certificate = self.paths(text, twin)?;
         let other_tool_axis = self.tool_axis(text)?;
         Some(ProofOutcome { certificate, other_tool_axis })
     }
 
     /// The paths, on machines whose tools all have the length zero.
-    fn paths(&self, text: &str) -> Option<Certificate> {
+    fn paths(&self, text: &str, twin: Option<&ContourTwin>) -> Option<Certificate> {
         let new = self.job(text, TableSet::WITHOUT_LENGTHS)?;
+        let own = proof(&self.commands, [&self.without_lengths, &new], self.options, self.terms());
+        let Some(twin) = twin.filter(|_| !own.holds()) else { return Some(own) };
+        // Both steps together keep to the tolerance.
+        let tolerance_mm = self.options.tolerance_mm - twin.distance_mm;
+        let options = ConversionOptions { tolerance_mm, ..self.options.clone() };
+        let contours = proof(&twin.commands, [&twin.job, &new], &options, self.terms());
+        if !contours.holds() {
+            return Some(own);
+        }
+        let tool_center = contours.tool_center.is_some().then_some(own.comparison);
+        Some(Certificate { tool_center, ..contours })
+    }
+
+    fn terms(&self) -> ProofTerms {
         // Text that was printed is a comment now.
         let printed =
             self.commands.iter().any(|command| matches!(command.kind, CommandKind::Output { .. }));
-        let terms = ProofTerms { is_other_language: true, printed, ..ProofTerms::default() };
-        Some(proof(&self.commands, [&self.without_lengths, &new], self.options, terms))
+        ProofTerms { is_other_language: true, printed, ..ProofTerms::default() }
     }
 
     /// The machine positions of the tool's axis, with a length for each tool of its own.

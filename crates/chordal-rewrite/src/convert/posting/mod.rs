@@ -5,6 +5,7 @@
 //! language: a [`ProgramWriter`] of the new control writes it. `assembly` adds comments and block numbers of the old text,
 //! `certificate` compares both programs. Cycles that do not make the same moves are written out, until nothing differs.
 
+mod approaches;
 mod assembly;
 mod certificate;
 mod holes;
@@ -25,11 +26,12 @@ use chordal::control::{
 };
 use chordal::diagnostics::FileId;
 use chordal::machine::{AXES, AXIS_LETTERS};
-use chordal::{Command, CommandKind, Diagnostic, Job, Machine, Span};
-use chordal_compare::ComparisonVerdict;
+use chordal::{Code, Command, CommandKind, Diagnostic, Job, Machine, Span};
+use chordal_compare::{Category, ComparisonVerdict, Difference, DifferenceValue};
 
+use self::approaches::{LeadForm, LongerLeads, center_approaches};
 use self::assembly::{AssembledText, StepLines, assemble, main_line};
-use self::certificate::{PostedProof, ProofOutcome};
+use self::certificate::{ContourTwin, PostedProof, ProofOutcome};
 use self::places::UnplacedCommand;
 use self::program_tools::ProgramTools;
 use self::recorded::RecordedRun;
@@ -37,8 +39,8 @@ use self::remarks::SourceRemarks;
 use self::tables::{TableSet, UsedNumbers, with_tables_of};
 use self::word_writer::WordAddressWriter;
 use super::{
-    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, UNKNOWN_SETTINGS, other_diameters,
-    own_problems,
+    Conversion, ConversionOptions, ConvertRefusal, MAX_ROUNDS, UNKNOWN_SETTINGS, error_refusal,
+    other_diameters, own_errors,
 };
 use crate::word_address::other_language;
 use crate::{Certificate, Change};
@@ -60,7 +62,19 @@ pub(super) fn prove_posted(
     let used = UsedNumbers::of(old, &RecordedRun::of(old).commands);
     let tools = program_tools(old, &used).ok()?;
     let proof = PostedProof::new(old, machine, &used, &tools, options)?;
-    let ProofOutcome { mut certificate, other_tool_axis } = proof.of(&text)?;
+    let mut outcome = proof.of(&text, None)?;
+    if !outcome.certificate.holds() {
+        let posted = PostedRun::of(old, &used, options).ok()?;
+        for form in LeadForm::ALL {
+            let other = longer_leads(old, &posted.program, form, &proof, options);
+            let other = other.and_then(|(_, twin)| proof.of(&text, Some(&twin)));
+            if let Some(other) = other.filter(|other| other.certificate.holds()) {
+                outcome = other;
+                break;
+            }
+        }
+    }
+    let ProofOutcome { mut certificate, other_tool_axis } = outcome;
     if other_tool_axis.is_some() {
         certificate.comparison.verdict = ComparisonVerdict::Different;
     }
@@ -102,9 +116,11 @@ fn converted(
     if let Some(differs) = other_diameters(old, &machine) {
         return Err(vec![differs]);
     }
-    let problems = own_problems(old, options);
-    if !problems.is_empty() {
-        return Err(problems);
+    let errors = own_errors(old, options);
+    if !errors.is_empty() {
+        let refusal =
+            |error: &Diagnostic| error_refusal(old, error, advice_on(error, old.machine()));
+        return Err(errors.iter().map(refusal).collect());
     }
     let remarks = single_program(old)?;
     check_verified(old)?;
@@ -121,11 +137,34 @@ fn converted(
         writer: &*writer,
         remarks: &remarks,
         posted: &posted,
+        program: &posted.program,
         tools: &tools,
-        proof,
+        proof: &proof,
+        twin: None,
         options,
     };
-    rounds.run(conversion)
+    let found = rounds.run()?;
+    let found = match found.holds() {
+        true => found,
+        false => match rounds.run_with_longer_leads() {
+            Some(found) => found,
+            None => {
+                rounds.check_leads(&found)?;
+                found
+            }
+        },
+    };
+    (conversion.text, conversion.changes) = (found.text, found.changes);
+    conversion.certificate = found.certificate;
+    Ok(())
+}
+
+/// What can be done about an error on a machine.
+fn advice_on<'d>(error: &'d Diagnostic, machine: &Machine) -> Option<&'d str> {
+    const OTHER_MACHINE: &str = "name the machine that the program was written for with --machine: its file says which rotary axes it has";
+    let turns = machine.axes[3..].iter().any(Option::is_some);
+    let needs_rotary = matches!(error.code, Code::TiltedPlane | Code::NoSuchAxis);
+    error.help.as_deref().or((needs_rotary && !turns).then_some(OTHER_MACHINE))
 }
 
 /// What the program says about its tools.
@@ -223,7 +262,7 @@ fn single_program(old: &Job) -> Result<SourceRemarks, Vec<ConvertRefusal>> {
             old,
             FileId(0),
             line,
-            "block delete (/) decides at the machine what runs, and a program that is written from its run has one way only",
+            "block delete (/) decides at the machine what runs, and a program that is written from its run has one way only: take the slash away, or the block, and convert again",
         )]),
         None => Ok(remarks),
     }
@@ -241,7 +280,12 @@ fn check_verified(old: &Job) -> Result<(), Vec<ConvertRefusal>> {
     };
     let span = reason.primary.span;
     let line = old.sources().get(span.file).map_or(0, |source| source.line_of(span.range.start));
-    let reason = format!("the run of the program is not verified: {}", reason.message);
+    let advice = match reason.code {
+        Code::CyclePathAssumed => "what is assumed cannot be proved, so write these moves out in the program, or take a cycle of the new control".to_string(),
+        _ => reason.help.clone().unwrap_or_default(),
+    };
+    let advice = if advice.is_empty() { advice } else { format!("; {advice}") };
+    let reason = format!("the run of the program is not verified: {}{advice}", reason.message);
     Err(vec![line_refusal(old, span.file, line, reason)])
 }
 
@@ -314,32 +358,84 @@ fn starting_modes(old: &Job, steps: &[PostedStep]) -> StartingModes {
     }
 }
 
+/// Why an approach is written in another way than its path of the tool centre.
+const LONGER_LEAD: &str = "compensation begins with the line before the approach: the new control needs a lead-in that is longer than the radius";
+
+/// A program with its approaches as parts of compensated contours, and the same on the old machine; `None` where there are no
+/// such approaches, or where the tool centre goes otherwise with them.
+fn longer_leads(
+    old: &Job,
+    program: &PostedProgram,
+    form: LeadForm,
+    proof: &PostedProof<'_>,
+    options: &ConversionOptions,
+) -> Option<(LongerLeads, ContourTwin)> {
+    let leads = LongerLeads::of(program, form)?;
+    let writer = writer_of(old.configured_control())?;
+    let writing = WriterOptions {
+        // Cycles have no contours.
+        written_out: (0..program.steps.len()).collect(),
+        digits: options.digits,
+        tolerance_mm: options.tolerance_mm,
+    };
+    let written = writer.write(&leads.program, &writing);
+    if !written.refusals.is_empty() {
+        return None;
+    }
+    let remarks = SourceRemarks::default();
+    let lines = StepLines { remarks: &remarks, carried_out: &BTreeSet::new(), lines: Vec::new() };
+    let text = assemble(&*writer, &written, &lines).text;
+    Some((leads, proof.contour_twin(old, text)?))
+}
+
+/// Why an approach cannot be written.
+const SHORT_LEAD: &str = "this approach leads the tool centre to the contour, and compensation begins there with a lead-in as long as the radius: the new control needs a longer one, so begin the approach further away from the contour, or approach with RL or RR on a line that is longer than the radius";
+
+/// A text that was written, with its proof.
+#[derive(Default)]
+struct PostedText {
+    text: String,
+    changes: Vec<Change>,
+    certificate: Option<Certificate>,
+}
+
+impl PostedText {
+    fn holds(&self) -> bool {
+        self.certificate.as_ref().is_some_and(Certificate::holds)
+    }
+}
+
 /// Writes and compares, until nothing differs or nothing is left to write out.
 struct ConversionRounds<'a> {
     old: &'a Job<'a>,
     writer: &'a dyn ProgramWriter,
     remarks: &'a SourceRemarks,
     posted: &'a PostedRun,
+    /// What is written: the steps of the run, or the same with other approaches.
+    program: &'a PostedProgram,
     tools: &'a ProgramTools,
-    proof: PostedProof<'a>,
+    proof: &'a PostedProof<'a>,
+    /// Where the contours are those of other approaches.
+    twin: Option<&'a ContourTwin>,
     options: &'a ConversionOptions,
 }
 
 impl ConversionRounds<'_> {
-    fn run(&self, conversion: &mut Conversion) -> Result<(), Vec<ConvertRefusal>> {
+    fn run(&self) -> Result<PostedText, Vec<ConvertRefusal>> {
         let mut options = WriterOptions {
             written_out: BTreeSet::new(),
             digits: self.options.digits,
             tolerance_mm: self.options.tolerance_mm,
         };
         for round in 0..MAX_ROUNDS {
-            let written = self.writer.write(&self.posted.program, &options);
+            let written = self.writer.write(self.program, &options);
             let refusals = self.refusals(&written);
             if !refusals.is_empty() {
                 return Err(refusals);
             }
             let text = self.text(&written);
-            let outcome = self.proof.of(&text.text).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
+            let outcome =
+                self.proof.of(&text.text, self.twin).ok_or_else(|| refusal(UNKNOWN_SETTINGS))?;
             let holds = outcome.certificate.holds() && outcome.other_tool_axis.is_none();
             let before = options.written_out.len();
             if !holds {
@@ -349,18 +445,61 @@ impl ConversionRounds<'_> {
             if goes_on {
                 continue;
             }
-            conversion.text = text.text;
-            conversion.changes = self.changes(&written);
-            conversion.certificate = Some(outcome.certificate);
-            if let Some(reason) = outcome
-                .other_tool_axis
-                .filter(|_| conversion.certificate.as_ref().is_some_and(Certificate::holds))
-            {
+            if let Some(reason) = outcome.other_tool_axis.filter(|_| outcome.certificate.holds()) {
                 return Err(refusal(reason));
             }
+            let changes = self.changes(&written);
+            let certificate = Some(outcome.certificate);
+            return Ok(PostedText { text: text.text, changes, certificate });
+        }
+        Ok(PostedText::default())
+    }
+
+    /// Writes approaches as parts of compensated contours; `None` where the program does not hold with them.
+    fn run_with_longer_leads(&self) -> Option<PostedText> {
+        LeadForm::ALL.into_iter().find_map(|form| {
+            let (leads, twin) =
+                longer_leads(self.old, self.program, form, self.proof, self.options)?;
+            let rounds = ConversionRounds { program: &leads.program, twin: Some(&twin), ..*self };
+            let mut found = rounds.run().ok().filter(PostedText::holds)?;
+            found.changes.extend(leads.steps.iter().map(|step| self.lead_change(*step)));
+            found.changes.sort_by_key(|change| change.line);
+            found.changes.dedup();
+            Some(found)
+        })
+    }
+
+    /// A text with lead-ins that its control does not take is no use to anybody.
+    fn check_leads(&self, found: &PostedText) -> Result<(), Vec<ConvertRefusal>> {
+        let differences = found.certificate.iter().flat_map(|one| &one.comparison.differences);
+        let is_short = |difference: &Difference| {
+            matches!(
+                &difference.values,
+                Some([DifferenceValue::Nothing, DifferenceValue::Text(text)])
+                    if difference.category == Category::Problem
+                        && text.starts_with(Code::LeadInTooShort.id())
+            )
+        };
+        if !differences.into_iter().any(is_short) {
             return Ok(());
         }
-        Ok(())
+        let refusals: Vec<ConvertRefusal> = center_approaches(self.program)
+            .into_iter()
+            .filter_map(|step| self.posted.origins.get(step))
+            .map(|origin| line_refusal(self.old, origin.span.file, origin.line, SHORT_LEAD))
+            .collect();
+        if refusals.is_empty() { Ok(()) } else { Err(refusals) }
+    }
+
+    /// What was changed at an approach.
+    fn lead_change(&self, step: usize) -> Change {
+        let origin = self.posted.origins.get(step).copied().unwrap_or_default();
+        Change {
+            line: origin.line,
+            before: words_of_line(self.old, origin.span.file, origin.line),
+            after: String::new(),
+            reason: LONGER_LEAD.to_string(),
+        }
     }
 
     fn text(&self, written: &WrittenProgram) -> AssembledText {
@@ -380,7 +519,7 @@ impl ConversionRounds<'_> {
         written_out: &mut BTreeSet<usize>,
         round: usize,
     ) {
-        let steps = &self.posted.program.steps;
+        let steps = &self.program.steps;
         let is_hole = |step: &usize| matches!(steps[*step].kind, PostedKind::Hole(_));
         let before = written_out.len();
         for difference in &outcome.certificate.comparison.differences {

@@ -178,7 +178,7 @@ fn place(
             of_machine.insert(axis);
         } else {
             return Err(
-                "this move ends where nobody knows: it depends on where the program begins, or on the length of a tool",
+                "this move ends where nobody knows: it depends on where the program begins, or on the length of a tool, so give its axes an absolute position before",
             );
         }
     }

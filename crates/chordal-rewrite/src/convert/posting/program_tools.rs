@@ -83,7 +83,7 @@ impl ToolDataReader<'_> {
     ) -> Result<(), String> {
         if (0..TOOL_AXIS).any(|axis| zero[axis] != other[axis]) {
             return Err(format!(
-                "the length of tool {number} does not lie along Z: the tool axis is another one"
+                "the length of tool {number} does not lie along Z, because the tool axis is another one: only programs with the tool axis Z are converted, so write it for that axis"
             ));
         }
         let table = self.filled.tools.get(&number).and_then(|tool| tool.offset[TOOL_AXIS]);
@@ -91,7 +91,7 @@ impl ToolDataReader<'_> {
         let before = self.lengths.insert(number, own);
         if before.is_some_and(|before| before != own) {
             return Err(format!(
-                "the program gives tool {number} several lengths: a tool table has one"
+                "the program gives tool {number} several lengths, and a tool table has one: give each length a tool number of its own"
             ));
         }
         if own != (None, 0.0) {
@@ -105,7 +105,7 @@ impl ToolDataReader<'_> {
         let before = self.radii.insert(number, radius);
         if before.is_some_and(|before| (before - radius).abs() > EQUAL_MM) {
             return Err(format!(
-                "the program gives tool {number} several radii: a tool table has one"
+                "the program gives tool {number} several radii, and a tool table has one: give each radius a tool number of its own"
             ));
         }
         let of_table = self.machine.tools.get(&number).and_then(|tool| {
@@ -162,6 +162,17 @@ impl ProgramTools {
             if let Some(radius) = own.radius_mm {
                 tool.diameter_mm = Some(2.0 * radius);
                 tool.diameter_wear_mm = None;
+            }
+        }
+    }
+
+    /// Puts the lengths that the program gives into the table of its own machine: the tip is then where the program says.
+    pub fn put_lengths_into(&self, machine: &mut Machine) {
+        for (number, own) in &self.0 {
+            if let Some(length) = own.length_mm {
+                let tool = machine.tools.entry(*number).or_default();
+                tool.offset[TOOL_AXIS] = Some(length);
+                tool.offset_wear[TOOL_AXIS] = None;
             }
         }
     }

@@ -93,7 +93,9 @@ pub(super) fn tap_of(
         }
     };
     let problem = if up.to[..3] != down.from[..3] || !(0..6).all(is_along) {
-        Some("a tap in several steps, or not back to where it began")
+        Some(
+            "a tap in several steps, or one that does not go back to where it began: write a tapping cycle that cuts the thread in one step, without chip breaking",
+        )
     } else if (out_factor - 1.0).abs() > SAME_SPEED && feed.mode != FeedMode::PerTime {
         Some("a tap that feeds out at a different speed than in")
     } else if reader.dwell_s > dwell_s {
