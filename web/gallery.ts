@@ -6,7 +6,7 @@ import type { ExampleGroup } from "./src/standalone/gallery";
 
 const TITLES: Record<string, string> = {
   "fadal": "Fadal", "fanuc": "Fanuc", "fanuc-lathe": "Fanuc, lathe", "fluidnc": "FluidNC", "grbl": "GRBL", "grblhal": "grblHAL",
-  "haas": "Haas", "haas-lathe": "Haas, lathe", "linuxcnc": "LinuxCNC", "linuxcnc-lathe": "LinuxCNC, lathe", "mach3": "Mach3", "marlin": "Marlin",
+  "haas": "Haas", "haas-lathe": "Haas, lathe", "heidenhain": "HEIDENHAIN", "linuxcnc": "LinuxCNC", "linuxcnc-lathe": "LinuxCNC, lathe", "mach3": "Mach3", "marlin": "Marlin",
   "mitsubishi": "Mitsubishi", "mitsubishi-lathe": "Mitsubishi, lathe", "mitsubishi-type2": "Mitsubishi, arcs of type 2",
   "sinumerik": "Sinumerik", "stock": "Stock that is cut", "textbook": "Programs of textbooks", "textbook-absolute-center": "Arc centres as positions",
   "textbook-from-center": "Arc centres to the start",
