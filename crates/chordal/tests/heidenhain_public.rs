@@ -193,13 +193,40 @@ fn patterns_run_old_cycles() {
     assert_eq!(found.ends.last(), Some(&[30.0, 5.0, 30.0]));
 }
 
-/// A contour that a fuzzer has found: an arc at the end of what is not solved.
+/// A contour that a fuzzer has found: two programs in one, with an arc at the end of what is not solved.
 #[test]
 fn half_a_free_contour_has_an_answer() {
-    let text = "BEGIN PGM A MM\nTOOL CALL 10 Z S3000\nL X+5 Y+5 Z+2 R0 FMAX M3\nFPOL X+50 Y+50\nFL X+5 Y+60 F400\n\
-                FL AN+0 LEN+20\nFL PR+30 PA+90\nFL X+70 AN-45\nFC DR- R10 X+60 Y+50 X+80 Y+90 Z+0\nTOOL CALL 10 Z S3000\n\
-                L Z+50 R0 FMAX M3\nFPOL X+50 Y+50\nFL X+5 Y+60 F400\nFL AN+0 LCCX+60 CCY+60\nFL X+65 Y+20\nFL AN+180\n\
-                FL X+5 Y+5 AN+225\nL Z+50 R0 FMAX\nM30\nEND PGM A MM\n";
+    let text = "0 BEGIN PGM FKGERADEN MM\n\
+                1 ; = clean\n\
+                2 BLK FORM 0.1 Z X+0 Y+0 Z-10\n\
+                3 BLK FORM 0.2 X+80 Y+90 Z+0\n\
+                4 TOOL CALL 10 Z S3000\n\
+                5 L Z+50 R0 FMAX M3\n\
+                6 L X+5 Y+5 R0 FMAX ; = X+5 Y+5 Z+50\n\
+                7 L Z+2 FMAX\n\
+                8 L Z-2 F150 ; = X+5 Y+5 Z-2\n\
+                9 FPOL X+50 Y+50\n\
+                10 FL X+5 Y+60 F400 ; = X+5 Y+60\n\
+                11 FL AN+0 LEN+20 ; = X+25 Y+60\n\
+                12 FL PR+30 PA+90 ; = X+50 Y+80\n\
+                13 FL X+70 AN-45 ; = X+70 Y+60\n\
+                14 FC DR- R10 X+60 Y+50  X+80 Y+90 Z+0\n\
+                4 TOOL CALL 10 Z S3000\n\
+                5 L Z+50 R0 FMAX M3\n\
+                6 L X+5 Y+5 R0 FMAX ; = X+5 Y+5 Z+50\n\
+                7 L Z+2 FMAX\n\
+                8 L Z-2 F150 ; = X+5 Y+5 Z-2\n\
+                9 FPOL X+50 Y+50\n\
+                10 FL X+5 Y+60 F400 ; = X+5 Y+60\n\
+                11 FL AN+0 LCCX+60 CCY+60 ; = X+60 Y+50 ; = centre X+60 Y+60\n\
+                15 FL X+65 Y+20 ; = X+65 Y+20\n\
+                16 ; the next two are solved together\n\
+                17 FL AN+180 ; = X+20 Y+20\n\
+                18 FL X+5 Y+5 AN+225 ; = X+5 Y+5\n\
+                19 L Z+50 R0 FMAX ; = X+5 Y+5 Z+50\n\
+                20 M30 ; = end X+5 Y+5 Z+50\n\
+                21 END PGM FKGERADEN MM\n\
+                ";
     assert!(!run("a.h", text).problems.is_empty());
 }
 
