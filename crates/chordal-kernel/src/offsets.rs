@@ -23,8 +23,10 @@ pub struct Offsets {
     naming: WorkNaming,
     /// The linear axes that the machine does not have: their offsets count as known.
     absent: AxisMask,
-    /// The axes along which tools differ: Z, and X on lathes.
+    /// The axes along which tools differ: that of the tool, Z at first, and X on lathes.
     tool_axes: AxisMask,
+    /// Tools are those of a turret.
+    is_turret: bool,
     active: WorkName,
     /// G52, added to every system.
     shift: Position,
@@ -114,6 +116,7 @@ pub struct OffsetIdentity {
     active: WorkName,
     length: LengthOffset,
     tool_axes: AxisMask,
+    is_turret: bool,
     /// The axes whose system offset is known.
     system_known: AxisMask,
     is_length_known: bool,
@@ -125,14 +128,20 @@ pub struct OffsetIdentity {
 impl OffsetIdentity {
     /// True when both mean the same offset of an axis.
     pub fn same_for(&self, other: &OffsetIdentity, axis: usize) -> bool {
-        self.active == other.active && (!self.tool_axes.has(axis) || self.length == other.length)
+        self.active == other.active
+            && (!self.is_tool_axis(other, axis) || self.length == other.length)
+    }
+
+    /// Whether the tool of one of both lies along an axis.
+    fn is_tool_axis(&self, other: &OffsetIdentity, axis: usize) -> bool {
+        self.tool_axes.or(other.tool_axes).has(axis)
     }
 
     /// True when the unknown parts of both offsets of an axis are the same, so that their difference is known.
     pub fn same_unknowns_for(&self, other: &OffsetIdentity, axis: usize) -> bool {
         // When tools differ along X (a lathe), another offset is another tool of the turret, whose position comes from
         // the block that names it.
-        let is_of_one_tip = !self.tool_axes.has(X);
+        let is_of_one_tip = !self.is_turret;
         let are_lengths_related = match (self.is_length_known, other.is_length_known) {
             (true, true) => is_of_one_tip || self.length == other.length,
             (false, false) => self.length == other.length,
@@ -140,7 +149,7 @@ impl OffsetIdentity {
         };
         self.active == other.active
             && self.system_known.has(axis) == other.system_known.has(axis)
-            && (!self.tool_axes.has(axis) || are_lengths_related)
+            && (!self.is_tool_axis(other, axis) || are_lengths_related)
             && self.unknown_presets == other.unknown_presets
             && self.unknown_fixture == other.unknown_fixture
     }
@@ -161,6 +170,7 @@ impl Offsets {
         let mut offsets = Offsets {
             absent,
             tool_axes,
+            is_turret: machine.turns(),
             systems,
             rotations: BTreeMap::new(),
             external,
@@ -218,6 +228,7 @@ impl Offsets {
             active: self.active,
             length: self.length,
             tool_axes: self.tool_axes,
+            is_turret: self.is_turret,
             system_known: self.system_known,
             is_length_known: self.length_in_force().is_some(),
             unknown_presets: self.unknown_presets.count,
@@ -419,6 +430,11 @@ impl Offsets {
     /// The offsets of a tool; `None` when neither machine file nor program gives it.
     pub fn tool(&self, number: u32) -> Option<&Tool> {
         self.tools.get(&number)
+    }
+
+    /// The tool of a mill lies along an axis from now on; [`update`](Self::update) follows.
+    pub fn set_tool_axis(&mut self, axis: usize) {
+        self.tool_axes = AxisMask(1 << axis);
     }
 
     /// The offsets of a tool, to change them.

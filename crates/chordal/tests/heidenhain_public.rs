@@ -248,3 +248,32 @@ fn a_corner_after_a_move_to_an_unknown_place_is_no_alarm() {
     let codes: Vec<_> = run_on(tool_10(), "a.h", text).problems.iter().map(|own| own.1).collect();
     assert_eq!(codes, ["CH727"]);
 }
+
+/// The axes that a move leaves from an unknown place.
+#[test]
+fn a_tool_of_unknown_length_is_unknown_along_its_own_axis() {
+    struct UnknownAxes(Vec<Vec<usize>>);
+    impl Sink for UnknownAxes {
+        fn command(&mut self, command: &Command) {
+            if let Some(motion) = command.kind.motion() {
+                self.0.push((0..3).filter(|axis| !motion.from_known.has(*axis)).collect());
+            }
+        }
+
+        fn diagnostic(&mut self, _: Diagnostic) {}
+    }
+    impl RunSink for UnknownAxes {}
+    for (axis, letter) in ["X", "Y", "Z"].iter().enumerate() {
+        let text = format!(
+            "BEGIN PGM A MM\nTOOL CALL 7 {letter} S1000\nL X+0 Y+0 Z+0 R0 FMAX\nTOOL CALL 8 {letter} S900\n\
+             L X+10 Y+10 Z+10 FMAX\nM30\nEND PGM A MM\n"
+        );
+        let mut machine = Machine::from_builtin("heidenhain-mill").expect("a machine");
+        machine.work_offsets.entry("G54".into()).or_default().values = [Some(0.0); 6];
+        let mut sources = SourceMap::new();
+        sources.add(Source::new("a.h", text.into_bytes()));
+        let mut sink = UnknownAxes(Vec::new());
+        Job::new(sources, machine).expect("settings").run(&mut sink);
+        assert_eq!(sink.0.last(), Some(&vec![axis]), "{letter}");
+    }
+}

@@ -98,6 +98,8 @@ impl KlartextInterpreter<'_> {
     /// Makes the length and the radius of a tool active, with the allowances DL, DR and DR2 of TOOL CALL, mm.
     fn put_tool(&mut self, number: u32, [length, radius, corner]: [f64; 3]) {
         let view = KlartextView { span: self.span(self.here), words: None };
+        let axis = self.tool_axis();
+        self.kernel.state.offsets.set_tool_axis(axis);
         if number == 0 {
             self.kernel.set_length(&view, LengthOffset { number: None, minus: false });
             self.kernel.state.radius_offset = None;
@@ -116,11 +118,12 @@ impl KlartextInterpreter<'_> {
                 tool.corner_radius_mm = tool.corner_radius_mm.map(|own| own + corner);
             }
             // The length lies along the axis of the tool.
-            let axis = self.tool_axis();
             if axis != 2 {
+                let has_length = tool.offset[2].is_some();
                 tool.offset.swap(axis, 2);
                 tool.offset_wear.swap(axis, 2);
-                tool.offset[2] = tool.offset[2].or(Some(0.0));
+                // Without a length none is known along Z either, so that the tip is not known.
+                tool.offset[2] = tool.offset[2].or(has_length.then_some(0.0));
             }
             *self.kernel.state.offsets.tool_mut(number) = tool;
         }
