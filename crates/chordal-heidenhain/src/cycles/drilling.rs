@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
-use super::values::CycleValues;
+use super::values::{CycleLevels, CycleValues, checked_depth};
 
 /// How far above the last depth the rapid back into a hole ends, mm (cycles 203 and 205).
 const REENTRY_MM: f64 = 0.2;
@@ -13,19 +13,6 @@ const DISENGAGE_MM: f64 = 0.2;
 
 /// More strokes than this are a mistake in the data.
 const MAX_STROKES: usize = 10_000;
-
-/// The levels of a hole.
-#[derive(Clone, Copy, Debug)]
-pub struct DrilledHoleLevels {
-    /// Where the tool goes by a rapid first.
-    pub clearance: f64,
-    /// Where the hole begins.
-    pub surface: f64,
-    /// Where it ends.
-    pub bottom: f64,
-    /// Where the tool is after the cycle.
-    pub end: f64,
-}
 
 /// The steps of a cycle with parameters.
 ///
@@ -41,21 +28,10 @@ pub fn parameter_cycle_steps(
         240 => centring_depth(values, context)?,
         _ => values.length(201),
     };
-    if depth == 0.0 {
+    let Some(depth) = checked_depth(depth, context.refuses_positive_depth)? else {
         return Ok(Vec::new());
-    }
-    if depth > 0.0 && context.refuses_positive_depth {
-        let message = format!("the depth Q201 is {depth}: it is negative downwards");
-        return Err(KlartextCycleFault::BadValue(message));
-    }
-    let surface = values.length(203);
-    let clearance = surface + values.length(200);
-    let levels = DrilledHoleLevels {
-        clearance,
-        surface,
-        bottom: surface + depth,
-        end: clearance.max(surface + values.length(204)),
     };
+    let levels = values.levels(depth);
     let mut steps = vec![KlartextCycleStep::Rapid(levels.clearance)];
     match number {
         200 => drill(values, context, &levels, &mut steps)?,
@@ -107,7 +83,7 @@ fn centring_depth(values: &CycleValues, context: &CycleContext) -> Result<f64, K
 fn drill(
     values: &CycleValues,
     context: &CycleContext,
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) -> Result<(), KlartextCycleFault> {
     let feed = values.feed(206);
@@ -131,7 +107,7 @@ fn drill(
 /// # Errors
 /// For strokes that do not reach the bottom.
 pub fn stroke_levels(
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     stroke: f64,
     decrement: f64,
     least: f64,
@@ -161,7 +137,7 @@ pub fn stroke_levels(
 fn peck(
     is_deep: bool,
     values: &CycleValues,
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) -> Result<(), KlartextCycleFault> {
     let feed = values.feed(206);
@@ -254,7 +230,7 @@ fn disengaging(values: &CycleValues, distance: f64) -> Option<[f64; 2]> {
 fn bore(
     leaves_wall: bool,
     values: &CycleValues,
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) {
     steps.push(KlartextCycleStep::Feed { to: levels.bottom, feed: values.feed(206) });
@@ -276,7 +252,7 @@ fn bore(
 }
 
 /// Cycle 204: off centre through the hole, and upwards into the part from below.
-fn back_bore(values: &CycleValues, levels: &DrilledHoleLevels, steps: &mut Vec<KlartextCycleStep>) {
+fn back_bore(values: &CycleValues, levels: &CycleLevels, steps: &mut Vec<KlartextCycleStep>) {
     let clearance = levels.clearance - levels.surface;
     let below = levels.surface - values.length(250) - values.length(252);
     let under = below - clearance;
@@ -302,7 +278,7 @@ fn back_bore(values: &CycleValues, levels: &DrilledHoleLevels, steps: &mut Vec<K
 fn tap(
     feed: CycleFeed,
     values: &CycleValues,
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) {
     steps.push(KlartextCycleStep::Feed { to: levels.bottom, feed });
@@ -316,7 +292,7 @@ fn tap(
 fn tap_in_steps(
     values: &CycleValues,
     context: &CycleContext,
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) -> Result<(), KlartextCycleFault> {
     let pitch = values.length(239).abs();
@@ -347,7 +323,7 @@ fn tap_in_steps(
 fn mill_bore(
     values: &CycleValues,
     context: &CycleContext,
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) -> Result<(), KlartextCycleFault> {
     let tool = context.needed_tool_radius(208)?;
@@ -439,7 +415,7 @@ mod tests {
 
     #[test]
     fn strokes_become_shorter_down_to_the_least_one() {
-        let levels = DrilledHoleLevels { clearance: 2.0, surface: 0.0, bottom: -30.0, end: 2.0 };
+        let levels = CycleLevels { clearance: 2.0, surface: 0.0, bottom: -30.0, end: 2.0 };
         let found = stroke_levels(&levels, 10.0, 2.0, 4.0).expect("levels");
         assert_eq!(found, [-10.0, -18.0, -24.0, -28.0, -30.0]);
         assert!(stroke_levels(&levels, 10.0, 5.0, 0.0).is_err());

@@ -31,9 +31,7 @@ pub fn multipass_steps(
     let clearance = surface + values.length(200);
     let ends = [x - tool * long.signum(), x + long];
     let spacing = wide / f64::from(count);
-    let at = |end: usize, line: u32| {
-        [ends[end] - context.position[0], y + f64::from(line) * spacing - context.position[1]]
-    };
+    let at = |end: usize, line: u32| context.offset_to([ends[end], y + f64::from(line) * spacing]);
     let mill = values.feed(207);
     let mut steps = vec![
         KlartextCycleStep::Rapid(context.level.max(clearance)),
@@ -69,7 +67,7 @@ pub fn ruled_surface_steps(
     let between = |from: [f64; 3], to: [f64; 3], part: f64| {
         [0, 1, 2].map(|axis| from[axis] + (to[axis] - from[axis]) * part)
     };
-    let flat = |point: [f64; 3]| [point[0] - context.position[0], point[1] - context.position[1]];
+    let flat = |[x, y, _]: [f64; 3]| context.offset_to([x, y]);
     let ramp =
         |point: [f64; 3], feed| KlartextCycleStep::Ramp { offset: flat(point), to: point[2], feed };
     let highest = corners.iter().map(|point| point[2]).fold(f64::NEG_INFINITY, f64::max);
@@ -155,18 +153,15 @@ pub fn face_steps(
     };
     let place = |end: usize, line: u32| {
         let along = f64::from(line) / f64::from(lines) * wide;
-        [ends[end] - context.position[0], y + along - context.position[1]]
+        context.offset_to([ends[end], y + along])
     };
-    let first = [x - before - context.position[0], y - context.position[1]];
+    let first = context.offset_to([x - before, y]);
     let clearance = surface + values.length(200);
     let top = clearance.max(surface + values.length(204));
     let rapid = |offset| KlartextCycleStep::Across { offset, feed: CycleFeed::Rapid };
     let mut steps = vec![KlartextCycleStep::Rapid(context.level.max(top)), rapid(first)];
     steps.push(KlartextCycleStep::Rapid(top));
-    let finish = match values.feed(385) {
-        CycleFeed::Active => values.feed(207),
-        feed => feed,
-    };
+    let finish = values.feed_or(385, values.feed(207));
     let position = values.feed(253);
     let mut order: Vec<u32> = (0..=lines).collect();
     let mut end = 1;

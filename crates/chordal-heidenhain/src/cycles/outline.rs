@@ -149,10 +149,7 @@ pub fn go_to_and_round(
     feed: CycleFeed,
     steps: &mut Vec<KlartextCycleStep>,
 ) {
-    let mut round = Vec::new();
-    follow(outline, place, feed, &mut round);
-    steps.extend(round.first());
-    go_round(outline, place, is_clockwise, feed, steps);
+    steps.extend(round_of(outline, place, is_clockwise, feed));
 }
 
 /// Once round an outline in a direction. The tool is at its start already.
@@ -163,15 +160,26 @@ pub fn go_round(
     feed: CycleFeed,
     steps: &mut Vec<KlartextCycleStep>,
 ) {
+    steps.extend(round_of(outline, place, is_clockwise, feed).into_iter().skip(1));
+}
+
+/// The line to the start of an outline, and the moves once round it; none for an outline without a length.
+fn round_of(
+    outline: &KlartextPocketOutline,
+    place: [f64; 2],
+    is_clockwise: bool,
+    feed: CycleFeed,
+) -> Vec<KlartextCycleStep> {
     let mut round = Vec::new();
     follow(outline, place, feed, &mut round);
-    let Some(KlartextCycleStep::Across { offset: start, .. }) = round.first().copied() else {
-        return;
-    };
-    match is_clockwise {
-        true => steps.extend(reversed(start, &round[1..])),
-        false => steps.extend_from_slice(&round[1..]),
+    if let Some(KlartextCycleStep::Across { offset: start, .. }) = round.first().copied()
+        && is_clockwise
+    {
+        let moves = reversed(start, &round[1..]);
+        round.truncate(1);
+        round.extend(moves);
     }
+    round
 }
 
 /// Moves of the plane from their end back to their start.

@@ -51,16 +51,15 @@ pub fn pocket_steps(
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
     let Some(depth) = values.downward_depth()? else { return Ok(Vec::new()) };
     let tool = context.needed_tool_radius(number)?;
-    let surface = values.length(203);
-    let clearance = surface + values.length(200);
+    let own = values.levels(depth);
     let allowance = values.length(368).max(0.0);
     let kind = values.number(215).round() as i64;
     let floor = if kind == 1 { values.length(369).max(0.0) } else { 0.0 };
     let levels = PocketLevels {
-        clearance,
-        surface,
-        bottom: surface + depth + floor,
-        end: clearance.max(surface + values.length(204)),
+        clearance: own.clearance,
+        surface: own.surface,
+        bottom: own.bottom + floor,
+        end: own.end,
         infeed: values.length(202),
     };
     let overlap = match values.number(370) {
@@ -68,10 +67,7 @@ pub fn pocket_steps(
         _ => USUAL_OVERLAP,
     };
     let mill = values.feed(207);
-    let finish = match values.feed(385) {
-        CycleFeed::Active => mill,
-        feed => feed,
-    };
+    let finish = values.feed_or(385, mill);
     let feeds = PocketFeeds { plunge: values.feed(206), mill, finish, stepover: overlap * tool };
     let wall = outline(number, values, tool)?;
     let rough = shrunk(wall, allowance);
@@ -210,7 +206,7 @@ fn outline(
 fn places(number: u32, values: &CycleValues, context: &CycleContext) -> Vec<[f64; 2]> {
     if number == 254 {
         let [x, y] = [216, 217].map(|number| values.length(number));
-        return vec![[x - context.position[0], y - context.position[1]]];
+        return vec![context.offset_to([x, y])];
     }
     let [long, wide] = [218, 219].map(|number| values.length(number) / 2.0);
     let place = values.number(367).round() as i64;

@@ -2,9 +2,9 @@
 
 use chordal_command::SpindleState;
 
-use super::drilling::{DrilledHoleLevels, stroke_levels};
+use super::drilling::stroke_levels;
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
-use super::values::CycleValues;
+use super::values::{CycleLevels, CycleValues, checked_depth};
 
 /// The steps of cycle 241.
 ///
@@ -15,23 +15,13 @@ pub fn single_lip_steps(
     values: &CycleValues,
     context: &CycleContext,
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
-    let depth = values.length(201);
-    if depth == 0.0 {
-        return Ok(Vec::new());
-    }
-    if depth > 0.0 && context.refuses_positive_depth {
-        let message = format!("the depth Q201 is {depth}: it is negative downwards");
-        return Err(KlartextCycleFault::BadValue(message));
-    }
-    let (surface, sign) = (values.length(203), depth.signum());
-    let clearance = surface + values.length(200);
+    let depth = checked_depth(values.length(201), context.refuses_positive_depth)?;
+    let Some(depth) = depth else { return Ok(Vec::new()) };
+    let whole = values.levels(depth);
+    let CycleLevels { surface, clearance, .. } = whole;
+    let sign = depth.signum();
     let begin = surface + sign * values.length(379).abs();
-    let levels = DrilledHoleLevels {
-        clearance,
-        surface: begin,
-        bottom: surface + depth,
-        end: clearance.max(surface + values.length(204)),
-    };
+    let levels = CycleLevels { surface: begin, ..whole };
     let mut steps = vec![KlartextCycleStep::Rapid(clearance)];
     turn_for_entry(values, &mut steps);
     if begin != surface {
@@ -53,7 +43,7 @@ fn drill(
     values: &CycleValues,
     surface: f64,
     sign: f64,
-    levels: &DrilledHoleLevels,
+    levels: &CycleLevels,
     steps: &mut Vec<KlartextCycleStep>,
 ) -> Result<(), KlartextCycleFault> {
     let first = values.length(202);

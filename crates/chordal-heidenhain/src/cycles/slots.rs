@@ -5,7 +5,7 @@ use super::levels::infeed_levels;
 use super::old_cycles::OldCycle;
 use super::outline::{KlartextPocketOutline, follow, turned};
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
-use super::values::CycleValues;
+use super::values::{CycleLevels, CycleValues};
 
 /// The half width that is left for the centre of the tool.
 ///
@@ -38,11 +38,8 @@ pub fn reciprocating_slot_steps(
     let tool = context.needed_tool_radius(number)?;
     let width = values.length(219);
     let half = half_width(width, tool)?;
-    let surface = values.length(203);
-    let (clearance, bottom) = (surface + values.length(200), surface + depth);
-    let top = clearance.max(surface + values.length(204));
-    let center = [216, 217].map(|number| values.length(number));
-    let center = [center[0] - context.position[0], center[1] - context.position[1]];
+    let CycleLevels { clearance, surface, bottom, end: top } = values.levels(depth);
+    let center = context.offset_to([216, 217].map(|number| values.length(number)));
     let slot = SlotLine::new(number, values, center, half)?;
     let mill = values.feed(207);
     let kind = values.number(215).round() as i64;
@@ -64,10 +61,7 @@ pub fn reciprocating_slot_steps(
         steps.push(slot.along(at, bottom, mill));
     }
     if kind != 1 && half > 0.0 {
-        let finish = match values.feed(206) {
-            CycleFeed::Active => mill,
-            feed => feed,
-        };
+        let finish = values.feed_or(206, mill);
         // The wall begins at the first end, which is reached in the slot.
         if at == 1 {
             steps.push(slot.along(0, bottom, mill));

@@ -134,6 +134,11 @@ impl CycleContext {
         self.tool_radius.ok_or(KlartextCycleFault::MissingRadius(cycle))
     }
 
+    /// A point of the plane as an offset from where the tool is, mm.
+    pub fn offset_to(&self, [a, b]: [f64; 2]) -> [f64; 2] {
+        [a - self.position[0], b - self.position[1]]
+    }
+
     /// Whether the tool goes round clockwise in a pocket or a bore: up-cut (Q351 is -1) with a spindle that turns
     /// clockwise, or climb with the other.
     pub fn turns_clockwise_inside(&self, climb: f64) -> bool {

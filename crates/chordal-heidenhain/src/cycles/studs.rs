@@ -10,7 +10,7 @@ use super::levels::{MAX_CUTS, equal_parts, infeed_levels};
 use super::outline::{KlartextPocketOutline, go_round, grown, turned};
 use super::pockets::{circle, rectangle};
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
-use super::values::CycleValues;
+use super::values::{CycleLevels, CycleValues};
 
 /// How far from the blank of a stud the edge of the tool begins, mm.
 const BEFORE_BLANK_MM: f64 = 2.0;
@@ -141,8 +141,7 @@ pub fn stud_steps(
     let kind = if values.has(215) { values.number(215).round() as i64 } else { 1 };
     let allowance = values.length(368).max(0.0);
     let overlap = if values.number(370) > 0.0 { values.number(370) } else { 1.0 };
-    let surface = values.length(203);
-    let clearance = surface + values.length(200);
+    let CycleLevels { clearance, surface, bottom, end } = values.levels(depth);
     let excess = (0..2).map(|axis| blank[axis] - sides[axis] - allowance).fold(0.0, f64::max);
     let count = equal_parts(excess, overlap * tool)?;
     let ring = |index: u32| {
@@ -153,13 +152,9 @@ pub fn stud_steps(
     let is_clockwise = values.number(351) >= 0.0;
     let begin = blank[0].max(sides[0] + allowance) + BEFORE_BLANK_MM + tool;
     let rough = WallPass { begin, rings: (0..count).map(ring).collect(), is_clockwise, feed: mill };
-    let finish = match values.feed(385) {
-        CycleFeed::Active => mill,
-        feed => feed,
-    };
+    let finish = values.feed_or(385, mill);
     let last = WallPass { begin, rings: vec![wall], is_clockwise, feed: finish };
     let floor = if kind == 1 { values.length(369).max(0.0) } else { 0.0 };
-    let bottom = surface + depth;
     let rough_levels = match kind {
         2 => Vec::new(),
         _ => infeed_levels(surface, bottom + floor, values.length(202))?,
@@ -182,7 +177,6 @@ pub fn stud_steps(
             pass.cut(place, &mut steps);
         }
     }
-    let end = clearance.max(surface + values.length(204));
     steps.push(KlartextCycleStep::Rapid(clearance));
     steps.push(KlartextCycleStep::Rapid(end));
     Ok(steps)
@@ -208,9 +202,7 @@ pub fn wall_finishing_steps(
 ) -> Result<Vec<KlartextCycleStep>, KlartextCycleFault> {
     let Some(depth) = values.downward_depth()? else { return Ok(Vec::new()) };
     let tool = context.needed_tool_radius(number)?;
-    let surface = values.length(203);
-    let clearance = surface + values.length(200);
-    let end = clearance.max(surface + values.length(204));
+    let CycleLevels { clearance, surface, bottom, end } = values.levels(depth);
     let is_stud = matches!(number, 213 | 215);
     let (wall, begin) = match number {
         212 => {
@@ -233,14 +225,13 @@ pub fn wall_finishing_steps(
     // Climb milling: counter-clockwise inside, clockwise round a stud.
     let feed = values.feed(207);
     let pass = WallPass { begin, rings: vec![wall], is_clockwise: is_stud, feed };
-    let place = [216, 217].map(|number| values.length(number));
-    let place = [place[0] - context.position[0], place[1] - context.position[1]];
+    let place = context.offset_to([216, 217].map(|number| values.length(number)));
     let mut steps = vec![KlartextCycleStep::Rapid(end)];
     let across = |offset| KlartextCycleStep::Across { offset, feed: CycleFeed::Rapid };
     steps.push(across(place));
     steps.push(across(pass.begin_point(place)));
     steps.push(KlartextCycleStep::Rapid(clearance));
-    for to in infeed_levels(surface, surface + depth, values.length(202))? {
+    for to in infeed_levels(surface, bottom, values.length(202))? {
         steps.push(KlartextCycleStep::Feed { to, feed: values.feed(206) });
         pass.cut(place, &mut steps);
     }

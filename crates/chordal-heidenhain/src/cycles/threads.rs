@@ -7,7 +7,7 @@
 use std::f64::consts::{PI, TAU};
 
 use super::step::{CycleContext, CycleFeed, KlartextCycleFault, KlartextCycleStep};
-use super::values::CycleValues;
+use super::values::{CycleLevels, CycleValues};
 
 /// More turns than this are a mistake in the data.
 const MAX_TURNS: f64 = 10_000.0;
@@ -57,9 +57,7 @@ pub fn thread_steps(
         let message = format!("a pitch of {pitch} mm does not make a thread of {depth} mm");
         return Err(KlartextCycleFault::BadValue(message));
     }
-    let surface = values.length(203);
-    let clearance = surface + values.length(200);
-    let bottom = surface + depth;
+    let CycleLevels { clearance, surface, bottom, end } = values.levels(depth);
     let begin = if is_outside { radius + pitch.abs() } else { 0.0 };
     let mut steps = vec![KlartextCycleStep::Rapid(clearance)];
     if is_outside {
@@ -116,7 +114,7 @@ pub fn thread_steps(
     if is_front_last {
         countersink_front(number, values, surface, begin, &mut steps);
     }
-    steps.push(KlartextCycleStep::Rapid(clearance.max(surface + values.length(204))));
+    steps.push(KlartextCycleStep::Rapid(end));
     Ok(steps)
 }
 

@@ -13,6 +13,34 @@ pub struct CycleValues {
     feed_unit: f64,
 }
 
+/// The levels at which a cycle with its surface in Q203 works, mm.
+#[derive(Clone, Copy, Debug)]
+pub struct CycleLevels {
+    /// Q200 above the surface: where the tool goes by a rapid first.
+    pub clearance: f64,
+    /// Where the cut begins.
+    pub surface: f64,
+    /// Where it ends.
+    pub bottom: f64,
+    /// Q204 above the surface, or the clearance: where the tool is after the cycle.
+    pub end: f64,
+}
+
+/// A depth Q201, mm; `None` for zero, with which a cycle does nothing.
+///
+/// # Errors
+/// For a positive one where it is refused.
+pub fn checked_depth(
+    depth: f64,
+    refuses_positive: bool,
+) -> Result<Option<f64>, KlartextCycleFault> {
+    if depth > 0.0 && refuses_positive {
+        let message = format!("the depth Q201 is {depth}: it is negative downwards");
+        return Err(KlartextCycleFault::BadValue(message));
+    }
+    Ok(Some(depth).filter(|depth| *depth != 0.0))
+}
+
 impl CycleValues {
     /// Values in a unit of length (mm) and of feed (mm/s).
     pub fn new(
@@ -55,20 +83,32 @@ impl CycleValues {
     /// # Errors
     /// For a positive one.
     pub fn downward_depth(&self) -> Result<Option<f64>, KlartextCycleFault> {
-        let depth = self.length(201);
-        if depth > 0.0 {
-            let message = format!("the depth Q201 is {depth}: it is negative downwards");
-            return Err(KlartextCycleFault::BadValue(message));
+        checked_depth(self.length(201), true)
+    }
+
+    /// The levels of a cycle with a depth, mm, below its surface Q203.
+    pub fn levels(&self, depth: f64) -> CycleLevels {
+        let surface = self.length(203);
+        let clearance = surface + self.length(200);
+        CycleLevels {
+            clearance,
+            surface,
+            bottom: surface + depth,
+            end: clearance.max(surface + self.length(204)),
         }
-        Ok(Some(depth).filter(|depth| *depth != 0.0))
+    }
+
+    /// A feed; another one without it.
+    pub fn feed_or(&self, number: u32, other: CycleFeed) -> CycleFeed {
+        match self.feed(number) {
+            CycleFeed::Active => other,
+            feed => feed,
+        }
     }
 
     /// The retraction feed of Q208; 0 is the plunging feed.
     pub fn retraction(&self) -> CycleFeed {
-        match self.feed(208) {
-            CycleFeed::Active => self.feed(206),
-            feed => feed,
-        }
+        self.feed_or(208, self.feed(206))
     }
 
     /// A copy with other values: those that a pattern gives to the cycle before it.
