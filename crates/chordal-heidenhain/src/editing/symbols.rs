@@ -8,7 +8,7 @@ use crate::syntax::{KlartextBlock, KlartextLabel, KlartextReader, KlartextStatem
 /// The programs, tools and labels of a text in order.
 ///
 /// A label with LBL 0 after it is a subprogram up to there, and one that CALL LBL n REP calls a part that is repeated.
-/// A tool reaches to the next tool, or to the subprograms behind the end of the program.
+/// A tool reaches to the next tool, or to the subprograms after the end of the program.
 pub fn text_symbols(text: &[u8]) -> Vec<TextSymbol> {
     let mut outline = KlartextOutline::default();
     KlartextReader::new(text).for_each(|block| outline.add(text, &block));

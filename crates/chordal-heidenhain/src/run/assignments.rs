@@ -12,15 +12,21 @@ use crate::values::{FormulaError, formula_value};
 impl KlartextInterpreter<'_> {
     /// The value of a word; `None` if it has none, which is reported.
     pub(super) fn operand(&mut self, operand: WordOperand, range: TextRange) -> Option<f64> {
+        let value = self.value_of(operand);
+        if let (None, WordOperand::Parameter { name, .. }) = (value, operand) {
+            self.report_unset(range, name);
+        }
+        value
+    }
+
+    /// The value of a word; `None` if it has none.
+    pub(super) fn value_of(&self, operand: WordOperand) -> Option<f64> {
         match operand {
             WordOperand::Number(value) => Some(value),
-            WordOperand::Parameter { is_negative, name } => match self.parameters.number(name) {
-                Some(value) => Some(if is_negative { 0.0 - value } else { value }),
-                None => {
-                    self.report_unset(range, name);
-                    None
-                }
-            },
+            WordOperand::Parameter { is_negative, name } => {
+                let value = self.parameters.number(name)?;
+                Some(if is_negative { 0.0 - value } else { value })
+            }
         }
     }
 

@@ -12,7 +12,6 @@ use chordal_kernel::shapes::{
 
 use super::interpreter::KlartextInterpreter;
 use super::run_state::{ContourMemory, CycleNumber};
-use crate::alarms::LABEL_NOT_FOUND;
 use crate::cycles::{
     CycleValues, KlartextCycleFault, KlartextCycleStep, TrainSide, contour_train_steps,
     rough_out_steps, side_finishing_steps, unreached_wall,
@@ -73,15 +72,14 @@ impl KlartextInterpreter<'_> {
             return self.not_followed(rest, what);
         }
         let labels = label_numbers(text);
-        for number in &labels {
-            if !self.running().labels.contains_key(&KlartextLabel::Number(*number)) {
-                let message = format!("the program has no label {number}");
-                let diagnostic = Diagnostic::new(Code::MissingLabel, self.span(rest), message);
+        let labels: Vec<KlartextLabel> = labels.into_iter().map(KlartextLabel::Number).collect();
+        for label in &labels {
+            if !self.running().labels.contains_key(label) {
                 let help = "write LBL with this number before the contour";
-                self.report_alarm(LABEL_NOT_FOUND, diagnostic.help(help));
+                self.report_missing_label(label, rest, help);
             }
         }
-        self.modes.contour_labels.extend(labels.into_iter().map(KlartextLabel::Number));
+        self.modes.contour_labels.extend(labels);
         if self.modes.contour_labels.len() > MAX_CONTOURS {
             let count = self.modes.contour_labels.len();
             let message = format!("cycle 14 names {count} contours; {MAX_CONTOURS} are possible");

@@ -284,14 +284,13 @@ impl KlartextInterpreter<'_> {
 
     /// Says once that the order of the points of a pattern is assumed.
     fn report_assumed_order(&mut self, pattern: &str) {
-        if self.is_first_report(&format!("order of {pattern}")) {
-            let message = format!(
+        self.report_assumption(
+            &format!("order of {pattern}"),
+            &format!(
                 "no manual gives the order of the points of {pattern}: lines to and fro are assumed"
-            );
-            let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
-            self.kernel
-                .report(diagnostic.help("the holes are those of the control; the time may differ"));
-        }
+            ),
+            "the holes are those of the control; the time may differ",
+        );
     }
 
     /// CYCL CALL PAT: the cycle at each point of PATTERN DEF.
@@ -432,14 +431,19 @@ impl KlartextInterpreter<'_> {
 
     /// Says once for each cycle that its path is not that of the control in every move.
     pub(super) fn report_assumed_path(&mut self, number: u32) {
-        if !self.is_first_report(&format!("path of cycle {number}")) {
-            return;
+        self.report_assumption(
+            &format!("path of cycle {number}"),
+            &format!("the manuals do not give every move of cycle {number}: its path is assumed"),
+            "shape, depth and end are those of the control; the order of the moves and the time may differ",
+        );
+    }
+
+    /// Says once for each subject what of the moves of a cycle is assumed.
+    fn report_assumption(&mut self, subject: &str, message: &str, help: &str) {
+        if self.is_first_report(subject) {
+            let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
+            self.kernel.report(diagnostic.help(help));
         }
-        let message =
-            format!("the manuals do not give every move of cycle {number}: its path is assumed");
-        let diagnostic = Diagnostic::new(Code::CyclePathAssumed, self.span(self.here), message);
-        let help = "shape, depth and end are those of the control; the order of the moves and the time may differ";
-        self.kernel.report(diagnostic.help(help));
     }
 
     pub(super) fn report_cycle(&mut self, fault: KlartextCycleFault) {

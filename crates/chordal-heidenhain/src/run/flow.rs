@@ -133,12 +133,22 @@ impl KlartextInterpreter<'_> {
         }
         let place = self.running().labels.get(&label).copied();
         if place.is_none() {
-            let message = format!("the program has no label {}", shown_label(&label));
-            let diagnostic = Diagnostic::new(Code::MissingLabel, self.span(range), message);
             let help = "write LBL with this name at the start of the part, or correct the call";
-            self.report_alarm(LABEL_NOT_FOUND, diagnostic.help(help));
+            self.report_missing_label(&label, range, help);
         }
         place
+    }
+
+    /// Reports a label that the program does not have.
+    pub(super) fn report_missing_label(
+        &mut self,
+        label: &KlartextLabel,
+        range: TextRange,
+        help: &str,
+    ) {
+        let message = format!("the program has no label {}", shown_label(label));
+        let diagnostic = Diagnostic::new(Code::MissingLabel, self.span(range), message);
+        self.report_alarm(LABEL_NOT_FOUND, diagnostic.help(help));
     }
 
     /// CALL LBL: a subprogram, or with REP a repeat of the part before.
@@ -210,20 +220,12 @@ impl KlartextInterpreter<'_> {
         label: &KlartextLabel,
     ) -> KlartextFlow {
         let range = self.here;
-        let holds = match condition {
-            JumpCondition::Defined(name, _) if self.parameters.is_unknown(*name) => {
-                self.assume_condition(*name)
-            }
-            JumpCondition::Compared(first, _, second)
-                if self.unknown_operand([*first, *second]).is_some() =>
-            {
-                self.unknown_operand([*first, *second])
-                    .is_some_and(|name| self.assume_condition(name))
-            }
-            JumpCondition::Defined(name, is_defined) => {
+        let holds = match (self.unknown_of(condition), condition) {
+            (Some(name), _) => self.assume_condition(name),
+            (None, JumpCondition::Defined(name, is_defined)) => {
                 self.parameters.is_set(*name) == *is_defined
             }
-            JumpCondition::Compared(first, comparison, second) => {
+            (None, JumpCondition::Compared(first, comparison, second)) => {
                 let (Some(first), Some(second)) =
                     (self.operand(*first, range), self.operand(*second, range))
                 else {
@@ -249,27 +251,29 @@ impl KlartextInterpreter<'_> {
         }
     }
 
-    /// The parameter among two values whose value is not known here.
-    fn unknown_operand(&self, operands: [WordOperand; 2]) -> Option<ParameterName> {
-        operands.into_iter().find_map(|operand| match operand {
-            WordOperand::Parameter { name, .. } => (self.parameters.number(name).is_none()
-                && self.parameters.is_unknown(name))
-            .then_some(name),
+    /// The parameter of a condition whose value is not known here.
+    fn unknown_of(&self, condition: &JumpCondition) -> Option<ParameterName> {
+        let name_of = |operand: &WordOperand| match operand {
+            WordOperand::Parameter { name, .. } => Some(*name),
             WordOperand::Number(_) => None,
-        })
+        };
+        let names = match condition {
+            JumpCondition::Defined(name, _) => [Some(*name), None],
+            JumpCondition::Compared(first, _, second) => [name_of(first), name_of(second)],
+        };
+        names.into_iter().flatten().find(|name| self.parameters.is_unknown(*name))
     }
 
-    /// Assumes a condition that depends on a value that is not known here: not fulfilled, until it has been asked so
-    /// often that only its fulfilment can end a loop.
+    /// Assumes a condition that depends on a value that is not known here: not fulfilled, until it was met so often
+    /// that only its fulfilment can end a loop.
     fn assume_condition(&mut self, name: ParameterName) -> bool {
         let range = self.here;
         let times = self.modes.assumed_conditions.entry((self.file(), range.start)).or_insert(0);
         *times += 1;
         let is_fulfilled = *times > MAX_UNFULFILLED;
-        let shown = super::problems::shown_parameter(name);
         if self.is_first_report(&format!("condition at {}", range.start)) {
             let message = format!(
-                "this depends on {shown}, which is not known here: it is taken as not fulfilled"
+                "this depends on {name}, which is not known here: it is taken as not fulfilled"
             );
             let diagnostic = Diagnostic::new(Code::AssumedBranch, self.span(range), message)
                 .label("from here on the path is assumed")
@@ -339,6 +343,6 @@ fn shown_label(label: &KlartextLabel) -> String {
     match label {
         KlartextLabel::Number(number) => number.to_string(),
         KlartextLabel::Text(text) => format!("\"{text}\""),
-        KlartextLabel::Parameter(name) => super::problems::shown_parameter(*name),
+        KlartextLabel::Parameter(name) => name.to_string(),
     }
 }

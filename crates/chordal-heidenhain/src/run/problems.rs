@@ -76,7 +76,6 @@ impl KlartextInterpreter<'_> {
         if self.parameters.is_unknown(name) {
             return self.report_unknown(range, name);
         }
-        let name = shown_parameter(name);
         let message = format!("{name} is read, and nothing has set it");
         let diagnostic = Diagnostic::new(Code::BadVariable, self.span(range), message)
             .help("set it before; the control may keep a value of another program, which is not known here");
@@ -85,44 +84,32 @@ impl KlartextInterpreter<'_> {
 
     /// Reports, once for each parameter, that a value is not known here: no alarm of the control follows from it.
     fn report_unknown(&mut self, range: TextRange, name: ParameterName) {
-        let shown = shown_parameter(name);
-        if !self.is_first_report(&format!("the value of {shown}")) {
+        if !self.is_first_report(&format!("the value of {name}")) {
             return;
         }
         let tool = self.kernel.state.tool;
         let (why, help) = match (name.bank, name.number) {
             (ParameterBank::Shared, 108) => (
-                format!("{shown} is the radius of tool {tool}, which is not known"),
+                format!("{name} is the radius of tool {tool}, which is not known"),
                 format!("set it with --set tools.{tool}.diameter=\"…\""),
             ),
             (ParameterBank::Shared, 114) => (
-                format!("{shown} is the length of tool {tool}, which is not known"),
+                format!("{name} is the length of tool {tool}, which is not known"),
                 format!("set it with --set tools.{tool}.length=\"…\""),
             ),
             (ParameterBank::Retained, _) => (
-                format!("{shown} keeps the value of an earlier program, which is not known here"),
+                format!("{name} keeps the value of an earlier program, which is not known here"),
                 "assign it at the start of the program to prove what follows".to_string(),
             ),
-            (ParameterBank::Shared, 100..200) => (
-                format!("the control sets {shown}, and its value is not known here"),
+            _ if name.is_of_control() => (
+                format!("the control sets {name}, and its value is not known here"),
                 "assign it at the start of the program to prove what follows".to_string(),
             ),
-            _ => (format!("{shown} depends on a value that is not known here"), String::new()),
+            _ => (format!("{name} depends on a value that is not known here"), String::new()),
         };
         let diagnostic = Diagnostic::new(Code::UnknownPath, self.span(range), why)
             .label("from here on the path is not known");
         let diagnostic = if help.is_empty() { diagnostic } else { diagnostic.help(help) };
         self.kernel.report(diagnostic);
     }
-}
-
-/// A parameter as it is written.
-pub fn shown_parameter(name: ParameterName) -> String {
-    let bank = match name.bank {
-        ParameterBank::Shared => "Q",
-        ParameterBank::Local => "QL",
-        ParameterBank::Retained => "QR",
-        ParameterBank::Text => "QS",
-    };
-    format!("{bank}{}", name.number)
 }

@@ -231,7 +231,7 @@ pub struct KlartextModes {
     pub has_corner: bool,
     /// A jump, a call or a repeat has gone back: from here on blocks count against the budget.
     pub has_jumped_back: bool,
-    /// How often each condition was asked whose values are not known, by its file and its first byte.
+    /// How often each condition was met whose values are not known, by its file and its first byte.
     pub assumed_conditions: BTreeMap<(FileId, u32), u32>,
     /// The first corner of BLK FORM.
     pub blank: Option<[Option<f64>; 3]>,

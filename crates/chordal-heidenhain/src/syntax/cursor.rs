@@ -131,13 +131,7 @@ impl<'t> TokenCursor<'t> {
 
     /// Takes the name of a parameter.
     pub fn take_parameter(&mut self) -> Option<ParameterName> {
-        let bank = match self.peek_word()? {
-            "Q" => ParameterBank::Shared,
-            "QL" => ParameterBank::Local,
-            "QR" => ParameterBank::Retained,
-            "QS" => ParameterBank::Text,
-            _ => return None,
-        };
+        let bank = ParameterBank::of_letters(self.peek_word()?)?;
         let KlartextTokenKind::Number(number) = self.peek_after(1)?.kind else { return None };
         if number.fract() != 0.0 || number > 99_999.0 {
             return None;

@@ -1,12 +1,8 @@
 //! The parameters of a run.
 
 use std::collections::{BTreeMap, BTreeSet};
-use std::ops::Range;
 
 use crate::syntax::{ParameterBank, ParameterName};
-
-/// The Q parameters that the control itself sets: tool, spindle, results of probing.
-const SYSTEM_PARAMETERS: Range<u32> = 100..200;
 
 /// The parameters with a value.
 #[derive(Clone, Default, PartialEq, Debug)]
@@ -22,19 +18,15 @@ pub struct ParameterStore {
 impl ParameterStore {
     /// The value of a parameter; `None` if it was never set, or is not known.
     pub fn number(&self, name: ParameterName) -> Option<f64> {
-        let is_zero = self.unset_is_zero && !self.is_unknown(name);
-        self.numbers.get(&name).copied().or(is_zero.then_some(0.0))
+        let is_zero = || self.unset_is_zero && !self.is_unknown(name);
+        self.numbers.get(&name).copied().or_else(|| is_zero().then_some(0.0))
     }
 
     /// Whether a parameter has a value on the control that is not known here: it depends on such a value, keeps what
     /// another program has set (QR), or is set by the control itself.
     pub fn is_unknown(&self, name: ParameterName) -> bool {
-        let is_of_control = match name.bank {
-            ParameterBank::Retained => true,
-            ParameterBank::Shared => SYSTEM_PARAMETERS.contains(&name.number),
-            ParameterBank::Local | ParameterBank::Text => false,
-        };
-        self.unknown.contains(&name) || is_of_control && !self.numbers.contains_key(&name)
+        let is_kept = name.bank == ParameterBank::Retained || name.is_of_control();
+        self.unknown.contains(&name) || is_kept && !self.numbers.contains_key(&name)
     }
 
     /// Whether a parameter was set from something that is not known here.
@@ -64,9 +56,7 @@ impl ParameterStore {
 
     /// Sets a parameter.
     pub fn set(&mut self, name: ParameterName, value: f64) {
-        if !self.unknown.is_empty() {
-            self.unknown.remove(&name);
-        }
+        self.unknown.remove(&name);
         self.numbers.insert(name, value);
     }
 

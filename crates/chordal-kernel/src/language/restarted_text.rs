@@ -1,4 +1,4 @@
-//! Texts that begin at one of their lines: what a language is asked for, and what it answers.
+//! Texts that begin at one of their lines, as a language writes them.
 
 use std::ops::Range;
 

@@ -190,7 +190,7 @@ pub fn blocked(job: &Job, done: &RestartProgram, course: &ApproachCheck) -> Opti
 
 const RUN_IT: &str = "run the program itself";
 
-/// What was asked for.
+/// The request, and the blocks of the program.
 struct RestartRequest<'r, 'a> {
     job: &'r Job<'r>,
     source: &'r SourceBlocks<'a>,

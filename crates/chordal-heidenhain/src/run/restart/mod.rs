@@ -73,7 +73,7 @@ pub fn restarted_text(
     restart.written(state, &sections, run.end)
 }
 
-/// What was asked for.
+/// The request, and the text that it is about.
 struct KlartextRestart<'r, 'a> {
     texts: &'r KlartextTexts<'a>,
     source: SourceText<'a>,
@@ -240,29 +240,21 @@ fn parameter_line(
     state: &StateAtBlock,
     name: ParameterName,
 ) -> Result<Option<String>, RestartFault> {
-    let number = name.number;
     if name.bank == ParameterBank::Text {
-        let text = state.parameters.text(number);
-        return Ok(text.map(|text| format!("DECLARE STRING QS{number} = \"{text}\"")));
+        let text = state.parameters.text(name.number);
+        return Ok(text.map(|text| format!("DECLARE STRING {name} = \"{text}\"")));
     }
-    let bank = match name.bank {
-        ParameterBank::Local => "QL",
-        ParameterBank::Retained => "QR",
-        ParameterBank::Shared | ParameterBank::Text => "Q",
-    };
     // Those of the control itself come by themselves.
-    let is_of_control = name.bank == ParameterBank::Shared && (100..200).contains(&number);
-    if is_of_control {
+    if name.is_of_control() {
         return Ok(None);
     }
     if state.parameters.was_lost(name) {
-        let what =
-            format!("the value of {bank}{number}, which is read after the line, is not known");
+        let what = format!("the value of {name}, which is read after the line, is not known");
         let help = "begin before the block that sets it, or set it to a number in the program";
         return Err(fault(RestartObstacle::Unsure, what, help));
     }
     let value = state.parameters.number(name).filter(|_| state.parameters.is_set(name));
-    Ok(value.map(|value| format!("FN 0: {bank}{number} = {}", parameter_number(value))))
+    Ok(value.map(|value| format!("FN 0: {name} = {}", parameter_number(value))))
 }
 
 /// A text that is put together.

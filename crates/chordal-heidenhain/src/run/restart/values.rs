@@ -30,17 +30,6 @@ pub(super) fn parameter_number(value: f64) -> String {
     if text.starts_with('-') { text } else { format!("+{text}") }
 }
 
-/// The bank of the parameters that a word names.
-fn bank_of(word: &str) -> Option<ParameterBank> {
-    match word {
-        "Q" => Some(ParameterBank::Shared),
-        "QL" => Some(ParameterBank::Local),
-        "QR" => Some(ParameterBank::Retained),
-        "QS" => Some(ParameterBank::Text),
-        _ => None,
-    }
-}
-
 /// A parameter in a text.
 struct ParameterPlace {
     name: ParameterName,
@@ -67,7 +56,7 @@ fn parameters_in(text: &[u8], parts: &[TextRange]) -> Vec<ParameterPlace> {
         else {
             continue;
         };
-        let Some(bank) = bank_of(word) else { continue };
+        let Some(bank) = ParameterBank::of_letters(word) else { continue };
         let sign = at.checked_sub(1).and_then(|before| match tokens[before].kind {
             KlartextTokenKind::Sign(sign @ (b'+' | b'-')) => Some((sign, tokens[before].range)),
             _ => None,

@@ -8,7 +8,7 @@ use super::definitions::{Definitions, follow_definition};
 use super::functions::{LeftFunctions, functions_of};
 use crate::run::interpreter::KlartextInterpreter;
 use crate::run::run_state::{KlartextFlow, KlartextModes};
-use crate::syntax::{KlartextBlock, KlartextStatement, ToolCallWords, ToolName, WordOperand};
+use crate::syntax::{KlartextBlock, KlartextStatement, ToolCallWords, ToolName};
 use crate::values::ParameterStore;
 
 /// The tool that the last TOOL CALL has called.
@@ -62,17 +62,6 @@ pub(super) struct WatchedRun {
 }
 
 impl KlartextInterpreter<'_> {
-    /// The value of an operand, without a report.
-    pub(super) fn value_of(&self, operand: WordOperand) -> Option<f64> {
-        match operand {
-            WordOperand::Number(value) => Some(value),
-            WordOperand::Parameter { is_negative, name } => {
-                let value = self.parameters.number(name)?;
-                Some(if is_negative { 0.0 - value } else { value })
-            }
-        }
-    }
-
     /// Runs to the end and notes what holds where the main program comes to the block at a byte; blocks before `first` are its
     /// own first lines.
     pub(super) fn watch(mut self, at: u32, first: u32) -> WatchedRun {

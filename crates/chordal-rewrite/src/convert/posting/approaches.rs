@@ -5,8 +5,8 @@
 //! last element of the approach is that of a contour.
 
 use chordal::CommandKind;
-use chordal::control::{ArcShape, CompensationSide, Move, PostedKind, PostedProgram};
-use chordal::geometry::Plane;
+use chordal::control::{ArcShape, CompensationSide, Move, Position, PostedKind, PostedProgram};
+use chordal::geometry::{Plane, Vec2};
 
 /// Lengths that differ by less are the same, mm.
 const EQUAL_MM: f64 = 1e-4;
@@ -69,7 +69,7 @@ struct CenterApproach<'p> {
     /// The last element on the path of the centre.
     element: usize,
     /// From the centre to the contour, mm: as long as the radius.
-    across: [f64; 2],
+    across: Vec2,
 }
 
 impl<'p> CenterApproach<'p> {
@@ -89,7 +89,7 @@ impl<'p> CenterApproach<'p> {
             return None;
         };
         let across = between(motion.from, motion.to);
-        let is_lead = is_flat(motion) && (length(across) - radius.abs()).abs() < EQUAL_MM;
+        let is_lead = is_flat(motion) && (across.length() - radius.abs()).abs() < EQUAL_MM;
         (is_lead && *radius > EQUAL_MM).then_some(CenterApproach {
             program,
             switch,
@@ -138,7 +138,7 @@ impl<'p> CenterApproach<'p> {
 
     /// Longer than the radius.
     fn is_long(&self, lead: &Move) -> bool {
-        length(between(lead.from, lead.to)) > length(self.across) * (1.0 + LEAD_MARGIN)
+        between(lead.from, lead.to).length() > self.across.length() * (1.0 + LEAD_MARGIN)
     }
 
     /// The last element goes along the contour: compensation begins with the line before it.
@@ -167,11 +167,11 @@ impl<'p> CenterApproach<'p> {
     /// A line of the centre along the contour, moved to the contour.
     fn shifted_line(&self, motion: &Move) -> Option<Move> {
         let direction = unit(between(motion.from, motion.to))?;
-        let is_across = dot(direction, unit(self.across)?).abs() < EQUAL_DIRECTION;
+        let is_across = direction.dot(unit(self.across)?).abs() < EQUAL_DIRECTION;
         let mut moved = *motion;
-        for axis in 0..2 {
-            moved.from[axis] += self.across[axis];
-            moved.to[axis] += self.across[axis];
+        for (axis, by) in self.across.to_array().into_iter().enumerate() {
+            moved.from[axis] += by;
+            moved.to[axis] += by;
         }
         is_across.then_some(moved)
     }
@@ -181,9 +181,9 @@ impl<'p> CenterApproach<'p> {
         if shape.plane != Plane::Xy {
             return None;
         }
-        let spoke = [0, 1].map(|axis| motion.to[axis] - shape.center[axis]);
-        let outward = dot(unit(spoke)?, unit(self.across)?);
-        let radius = shape.radius_to + outward.signum() * length(self.across);
+        let spoke = Vec2::new(motion.to[0], motion.to[1]) - Vec2::from_array(shape.center);
+        let outward = unit(spoke)?.dot(unit(self.across)?);
+        let radius = shape.radius_to + outward.signum() * self.across.length();
         if (outward.abs() - 1.0).abs() > EQUAL_DIRECTION || radius < EQUAL_MM {
             return None;
         }
@@ -191,9 +191,9 @@ impl<'p> CenterApproach<'p> {
             shape.center[axis] + (place - shape.center[axis]) * radius / shape.radius_to
         };
         let mut moved = *motion;
-        for axis in 0..2 {
+        for (axis, by) in self.across.to_array().into_iter().enumerate() {
             moved.from[axis] = widened(motion.from[axis], axis);
-            moved.to[axis] = motion.to[axis] + self.across[axis];
+            moved.to[axis] = motion.to[axis] + by;
         }
         Some((moved, ArcShape { radius_from: radius, radius_to: radius, ..*shape }))
     }
@@ -244,19 +244,12 @@ fn is_flat(motion: &Move) -> bool {
     (2..motion.to.len()).all(|axis| motion.from[axis] == motion.to[axis])
 }
 
-fn between(from: chordal::control::Position, to: chordal::control::Position) -> [f64; 2] {
-    [to[0] - from[0], to[1] - from[1]]
+/// From one place to another in the plane XY.
+fn between(from: Position, to: Position) -> Vec2 {
+    Vec2::new(to[0] - from[0], to[1] - from[1])
 }
 
-fn length([a, b]: [f64; 2]) -> f64 {
-    a.hypot(b)
-}
-
-fn dot(one: [f64; 2], other: [f64; 2]) -> f64 {
-    one[0] * other[0] + one[1] * other[1]
-}
-
-fn unit(vector: [f64; 2]) -> Option<[f64; 2]> {
-    let whole = length(vector);
-    (whole > EQUAL_MM).then(|| vector.map(|part| part / whole))
+fn unit(vector: Vec2) -> Option<Vec2> {
+    let length = vector.length();
+    (length > EQUAL_MM).then(|| vector * (1.0 / length))
 }
