@@ -3,29 +3,13 @@
 //! Functions are calculated by another library here, so that every value carries a bound of its error; a formula whose
 //! branch (a root, a whole part, a division) hangs on less than that bound is counted and left out.
 
+mod support;
+
 use chordal_heidenhain::syntax::{KlartextReader, KlartextStatement, ParameterBank, ParameterName};
 use chordal_heidenhain::values::{FormulaError, ParameterStore, formula_value};
+use support::NumberSequence;
 
 const FORMULAS: u32 = 20_000;
-
-/// A sequence of numbers from 0 to 1.
-struct NumberSequence(u64);
-
-impl NumberSequence {
-    fn next(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    fn below(&mut self, count: usize) -> usize {
-        (self.next() * count as f64) as usize
-    }
-
-    fn one_of<T: Copy>(&mut self, among: &[T]) -> T {
-        among[self.below(among.len())]
-    }
-}
 
 // ---- Random texts ----
 
@@ -97,7 +81,7 @@ fn block_text(numbers: &mut NumberSequence) -> (String, String) {
 
 /// A value and how far it may be off.
 #[derive(Clone, Copy, Debug)]
-struct BoundedValue {
+struct FormulaBounds {
     value: f64,
     error: f64,
 }
@@ -113,17 +97,17 @@ enum Refusal {
     Doubt,
 }
 
-type Evaluated = Result<BoundedValue, Refusal>;
+type Evaluated = Result<FormulaBounds, Refusal>;
 
 #[derive(Clone, PartialEq, Debug)]
-enum Token {
+enum FormulaToken {
     Number(f64),
     Parameter(String),
     Name(String),
     Sign(char),
 }
 
-fn tokens(text: &str) -> Vec<Token> {
+fn tokens(text: &str) -> Vec<FormulaToken> {
     let characters: Vec<char> = text.chars().collect();
     let mut found = Vec::new();
     let mut at = 0;
@@ -141,17 +125,19 @@ fn tokens(text: &str) -> Vec<Token> {
                 let name = take(|own| own.is_ascii_alphabetic());
                 if name.starts_with('Q') {
                     let digits = take(|own| own.is_ascii_alphanumeric());
-                    found.push(Token::Parameter(digits));
+                    found.push(FormulaToken::Parameter(digits));
                 } else {
-                    found.push(Token::Name(name));
+                    found.push(FormulaToken::Name(name));
                 }
             }
             '0'..='9' | '.' => {
                 let number = take(|own| own.is_ascii_digit() || own == '.' || own == ',');
-                found.push(Token::Number(number.replace(',', ".").parse().expect("a number")));
+                found.push(FormulaToken::Number(
+                    number.replace(',', ".").parse().expect("a number"),
+                ));
             }
             sign => {
-                found.push(Token::Sign(sign));
+                found.push(FormulaToken::Sign(sign));
                 at += 1;
             }
         }
@@ -177,7 +163,7 @@ fn strength(operator: &str) -> u32 {
 
 struct StackEvaluator<'s> {
     store: &'s [(&'static str, f64)],
-    values: Vec<BoundedValue>,
+    values: Vec<FormulaBounds>,
     pending: Vec<Pending>,
 }
 
@@ -186,33 +172,33 @@ impl StackEvaluator<'_> {
         let mut expects_operand = true;
         for token in tokens(text) {
             expects_operand = match token {
-                Token::Number(value) => self.operand(value)?,
-                Token::Parameter(name) => {
+                FormulaToken::Number(value) => self.operand(value)?,
+                FormulaToken::Parameter(name) => {
                     let found = self.store.iter().find(|(own, _)| *own == name);
                     self.operand(found.ok_or(Refusal::Unset)?.1)?
                 }
-                Token::Name(name) if name == "PI" => self.operand(std::f64::consts::PI)?,
-                Token::Name(name) if !expects_operand => self.infix(name)?,
-                Token::Name(name) => {
+                FormulaToken::Name(name) if name == "PI" => self.operand(std::f64::consts::PI)?,
+                FormulaToken::Name(name) if !expects_operand => self.infix(name)?,
+                FormulaToken::Name(name) => {
                     self.pending.push(Pending::Prefix(name));
                     true
                 }
-                Token::Sign('(') => {
+                FormulaToken::Sign('(') => {
                     self.pending.push(Pending::Open);
                     true
                 }
-                Token::Sign(')') => {
+                FormulaToken::Sign(')') => {
                     self.reduce(0)?;
                     assert_eq!(self.pending.pop(), Some(Pending::Open));
                     self.apply_prefixes()?;
                     false
                 }
-                Token::Sign(sign) if expects_operand => {
+                FormulaToken::Sign(sign) if expects_operand => {
                     let name = if sign == '-' { "NEG" } else { "" };
                     self.pending.push(Pending::Prefix(name.to_string()));
                     true
                 }
-                Token::Sign(sign) => self.infix(sign.to_string())?,
+                FormulaToken::Sign(sign) => self.infix(sign.to_string())?,
             };
         }
         self.reduce(0)?;
@@ -220,7 +206,7 @@ impl StackEvaluator<'_> {
     }
 
     fn operand(&mut self, value: f64) -> Result<bool, Refusal> {
-        self.values.push(BoundedValue { value, error: 0.0 });
+        self.values.push(FormulaBounds { value, error: 0.0 });
         self.apply_prefixes()?;
         Ok(false)
     }
@@ -256,7 +242,7 @@ impl StackEvaluator<'_> {
     }
 }
 
-fn checked(own: BoundedValue) -> Evaluated {
+fn checked(own: FormulaBounds) -> Evaluated {
     if !own.value.is_finite() {
         return Err(Refusal::TooLarge);
     }
@@ -265,7 +251,7 @@ fn checked(own: BoundedValue) -> Evaluated {
 }
 
 /// The sign of a value; doubtful within its error.
-fn sign_of(own: BoundedValue) -> Result<i32, Refusal> {
+fn sign_of(own: FormulaBounds) -> Result<i32, Refusal> {
     match own.value.partial_cmp(&0.0).expect("a number") as i32 {
         sign if own.error == 0.0 || own.value.abs() > 2.0 * own.error => Ok(sign),
         _ => Err(Refusal::Doubt),
@@ -273,27 +259,27 @@ fn sign_of(own: BoundedValue) -> Result<i32, Refusal> {
 }
 
 /// A value whose whole part is sure.
-fn surely_between_integers(own: BoundedValue) -> Result<f64, Refusal> {
+fn surely_between_integers(own: FormulaBounds) -> Result<f64, Refusal> {
     let off = (own.value - own.value.round()).abs();
     if own.error == 0.0 || off > 2.0 * own.error { Ok(own.value) } else { Err(Refusal::Doubt) }
 }
 
 /// A value with an error that comes from that of the operand by a slope, and from the function.
-fn calculated(value: f64, slope: f64, operand: BoundedValue) -> Evaluated {
+fn calculated(value: f64, slope: f64, operand: FormulaBounds) -> Evaluated {
     let error = slope.abs() * operand.error + 1e-14 * value.abs().max(f64::MIN_POSITIVE);
-    Ok(BoundedValue { value, error })
+    Ok(FormulaBounds { value, error })
 }
 
-fn function_of(name: &str, x: BoundedValue) -> Evaluated {
+fn function_of(name: &str, x: FormulaBounds) -> Evaluated {
     let radians = x.value.to_radians();
     let slope = 1_f64.to_radians();
     let quarters = x.value / 90.0;
     let is_quarter = x.error == 0.0 && quarters.fract() == 0.0;
     // Angles of many turns lose digits before the function is calculated.
-    let angle = BoundedValue { value: x.value, error: x.error + 1e-13 * x.value.abs() };
+    let angle = FormulaBounds { value: x.value, error: x.error + 1e-13 * x.value.abs() };
     match name {
         "" => Ok(x),
-        "NEG" => Ok(BoundedValue { value: -x.value, ..x }),
+        "NEG" => Ok(FormulaBounds { value: -x.value, ..x }),
         "SIN" | "COS" if is_quarter => {
             let shift = if name == "COS" { 1.0 } else { 0.0 };
             let value = match (quarters + shift).rem_euclid(4.0) as i32 {
@@ -301,12 +287,12 @@ fn function_of(name: &str, x: BoundedValue) -> Evaluated {
                 3 => -1.0,
                 _ => 0.0,
             };
-            Ok(BoundedValue { value, error: 0.0 })
+            Ok(FormulaBounds { value, error: 0.0 })
         }
         "SIN" => calculated(radians.sin(), slope, angle),
         "COS" => calculated(radians.cos(), slope, angle),
         "TAN" if is_quarter && quarters.rem_euclid(2.0) == 1.0 => Err(Refusal::Domain),
-        "TAN" if is_quarter => Ok(BoundedValue { value: 0.0, error: 0.0 }),
+        "TAN" if is_quarter => Ok(FormulaBounds { value: 0.0, error: 0.0 }),
         "TAN" => {
             let cos = radians.cos();
             if cos.abs() < 1e3 * angle.error * slope {
@@ -328,14 +314,14 @@ fn function_of(name: &str, x: BoundedValue) -> Evaluated {
             calculated(angle.to_degrees(), slope, x)
         }
         "ATAN" => calculated(x.value.atan().to_degrees(), 60.0, x),
-        "SQ" => Ok(BoundedValue {
+        "SQ" => Ok(FormulaBounds {
             value: x.value * x.value,
             error: 3.0 * x.value.abs() * x.error + x.error * x.error,
         }),
         "SQRT" => match sign_of(x)? {
             -1 => Err(Refusal::Domain),
-            0 => Ok(BoundedValue { value: 0.0, error: 0.0 }),
-            _ if x.error == 0.0 => Ok(BoundedValue { value: x.value.sqrt(), error: 0.0 }),
+            0 => Ok(FormulaBounds { value: 0.0, error: 0.0 }),
+            _ if x.error == 0.0 => Ok(FormulaBounds { value: x.value.sqrt(), error: 0.0 }),
             _ => calculated(x.value.sqrt(), 1.0 / x.value.sqrt(), x),
         },
         "LN" | "LOG" => match sign_of(x)? {
@@ -343,37 +329,37 @@ fn function_of(name: &str, x: BoundedValue) -> Evaluated {
                 let value = if name == "LN" { x.value.ln() } else { x.value.log10() };
                 // Near 1 the function is small, and its own error is not.
                 let own = calculated(value, 2.0 / x.value, x)?;
-                Ok(BoundedValue { error: own.error + 1e-15, ..own })
+                Ok(FormulaBounds { error: own.error + 1e-15, ..own })
             }
             _ => Err(Refusal::Domain),
         },
         "EXP" => {
             let value = x.value.exp();
             let own = calculated(value, 2.0 * value, x)?;
-            Ok(BoundedValue { error: own.error * (1.0 + x.value.abs()), ..own })
+            Ok(FormulaBounds { error: own.error * (1.0 + x.value.abs()), ..own })
         }
-        "ABS" => Ok(BoundedValue { value: x.value.abs(), ..x }),
+        "ABS" => Ok(FormulaBounds { value: x.value.abs(), ..x }),
         "INT" => {
             let whole = surely_between_integers(x)?;
             let value = if whole < 0.0 { whole.ceil() } else { whole.floor() };
-            Ok(BoundedValue { value, error: 0.0 })
+            Ok(FormulaBounds { value, error: 0.0 })
         }
         "FRAC" => {
             let whole = surely_between_integers(x)?;
             let trunc = if whole < 0.0 { whole.ceil() } else { whole.floor() };
-            Ok(BoundedValue { value: whole - trunc, error: x.error })
+            Ok(FormulaBounds { value: whole - trunc, error: x.error })
         }
-        "SGN" => Ok(BoundedValue { value: f64::from(sign_of(x)?), error: 0.0 }),
+        "SGN" => Ok(FormulaBounds { value: f64::from(sign_of(x)?), error: 0.0 }),
         name => panic!("{name} is no function"),
     }
 }
 
-fn operator_of(name: &str, first: BoundedValue, second: BoundedValue) -> Evaluated {
+fn operator_of(name: &str, first: FormulaBounds, second: FormulaBounds) -> Evaluated {
     let (a, b) = (first.value, second.value);
     let (da, db) = (first.error, second.error);
     // The same operation of the same numbers is the same to the last bit.
     let rounding = |value: f64| if da == 0.0 && db == 0.0 { 0.0 } else { 1e-15 * value.abs() };
-    let of = |value: f64, error: f64| Ok(BoundedValue { value, error: error + rounding(value) });
+    let of = |value: f64, error: f64| Ok(FormulaBounds { value, error: error + rounding(value) });
     match name {
         "+" => of(a + b, da + db),
         "-" => of(a - b, da + db),
@@ -387,12 +373,12 @@ fn operator_of(name: &str, first: BoundedValue, second: BoundedValue) -> Evaluat
             _ if da == 0.0 && db == 0.0 => of(a - b * exact_whole(a, b)?, 1e-12 * b.abs()),
             _ => {
                 let error = 2.0 * (da + (a / b).abs() * db) / b.abs();
-                let whole = surely_between_integers(BoundedValue { value: a / b, error })?.trunc();
+                let whole = surely_between_integers(FormulaBounds { value: a / b, error })?.trunc();
                 of(a - b * whole, da + whole.abs() * db + 1e-12 * a.abs())
             }
         },
         "^" => power_of(first, second),
-        "LEN" => calculated(a.hypot(b), 2.0, BoundedValue { value: 0.0, error: da + db }),
+        "LEN" => calculated(a.hypot(b), 2.0, FormulaBounds { value: 0.0, error: da + db }),
         "ANG" => {
             let degrees = a.atan2(b).to_degrees();
             calculated(if degrees < 0.0 { degrees + 360.0 } else { degrees }, 0.0, first)
@@ -413,15 +399,15 @@ fn exact_whole(a: f64, b: f64) -> Result<f64, Refusal> {
     Ok(quotient.trunc())
 }
 
-fn power_of(first: BoundedValue, second: BoundedValue) -> Evaluated {
+fn power_of(first: FormulaBounds, second: FormulaBounds) -> Evaluated {
     let (a, b) = (first.value, second.value);
     let is_exact = first.error == 0.0 && second.error == 0.0;
     if sign_of(second)? == 0 {
-        return Ok(BoundedValue { value: 1.0, error: 0.0 });
+        return Ok(FormulaBounds { value: 1.0, error: 0.0 });
     }
     match sign_of(first)? {
         0 if b < 0.0 => return Err(Refusal::Division),
-        0 => return Ok(BoundedValue { value: 0.0, error: 0.0 }),
+        0 => return Ok(FormulaBounds { value: 0.0, error: 0.0 }),
         -1 if second.error > 0.0 => return Err(Refusal::Doubt),
         -1 if b.fract() != 0.0 => return Err(Refusal::Domain),
         _ => {}
@@ -438,7 +424,7 @@ fn power_of(first: BoundedValue, second: BoundedValue) -> Evaluated {
         false => 2.0 * (b.abs() * first.error / a.abs() + second.error * a.abs().ln().abs()),
     };
     let error = value.abs() * (relative + 1e-14 * (1.0 + exponent.abs()));
-    Ok(BoundedValue { value, error })
+    Ok(FormulaBounds { value, error })
 }
 
 // ---- The comparison ----

@@ -16,9 +16,9 @@ const CASES_IN_PROGRAM: u64 = 50;
 const TOLERANCE_MM: f64 = 1e-4;
 
 /// A sequence of numbers from 0 to 1.
-struct NumberSequence(u64);
+struct ApproachNumbers(u64);
 
-impl NumberSequence {
+impl ApproachNumbers {
     fn next(&mut self) -> f64 {
         self.0 =
             self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
@@ -123,7 +123,7 @@ struct TouchingArc {
 
 /// The contour and what its tool is.
 struct CaseMaker {
-    numbers: NumberSequence,
+    numbers: ApproachNumbers,
     case: ApproachCase,
     /// 1 for RL.
     side: f64,
@@ -428,7 +428,7 @@ impl CaseMaker {
 fn case_of(seed: u64) -> ApproachCase {
     for attempt in 0..1_000 {
         let numbers =
-            NumberSequence((seed * 1_000 + attempt).wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
+            ApproachNumbers((seed * 1_000 + attempt).wrapping_mul(0x9E37_79B9_7F4A_7C15) | 1);
         let mut maker = CaseMaker {
             numbers,
             case: ApproachCase::default(),
@@ -456,9 +456,9 @@ fn case_of(seed: u64) -> ApproachCase {
 
 /// The moves of the tool's centre with their lines.
 #[derive(Default)]
-struct PathRecord(Vec<Command>);
+struct ApproachPathRecord(Vec<Command>);
 
-impl PathSink for PathRecord {
+impl PathSink for ApproachPathRecord {
     fn command(&mut self, path: PathCommand<'_>) {
         if path.command.kind.motion().is_some() {
             self.0.push(path.command.clone());
@@ -477,7 +477,7 @@ fn moves_of(text: &str) -> Vec<Command> {
     let mut sources = SourceMap::new();
     sources.add(Source::new("a.h", text.as_bytes().to_vec()));
     let job = Job::new(sources, machine).expect("a job");
-    let mut record = PathRecord::default();
+    let mut record = ApproachPathRecord::default();
     job.compensated(None, &mut record);
     record.0
 }

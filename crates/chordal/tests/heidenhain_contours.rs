@@ -8,19 +8,19 @@ mod shop;
 
 use chordal::control::{Command, CommandKind};
 use chordal::{Diagnostic, Job, Machine, RunSink, Severity, Sink, Source, SourceMap};
-use shop::{Random, Seen, infeeds};
+use shop::{DataSequence, SeenMove, infeeds};
 
 /// Where the tool is when a cycle is called.
 const START: [f64; 3] = [-40.0, -30.0, 90.0];
 
 #[derive(Default)]
-struct Record {
-    seen: Vec<Seen>,
+struct ContourCycleRecord {
+    seen: Vec<SeenMove>,
     found: Vec<Diagnostic>,
     others: usize,
 }
 
-impl Sink for Record {
+impl Sink for ContourCycleRecord {
     fn command(&mut self, command: &Command) {
         let Some(motion) = command.kind.motion() else { return };
         if !command.origin.cycle {
@@ -32,11 +32,11 @@ impl Sink for Record {
         let feed = command.kind.feed().map_or(0.0, |feed| feed.value * 60.0);
         match &command.kind {
             CommandKind::Arc { shape, .. } => {
-                self.seen.push(Seen::Round(to, shape.center, shape.sweep, feed));
+                self.seen.push(SeenMove::Round(to, shape.center, shape.sweep, feed));
             }
             _ if is_still => {}
-            CommandKind::Rapid { .. } => self.seen.push(Seen::Rapid(to)),
-            _ => self.seen.push(Seen::Cut(to, feed)),
+            CommandKind::Rapid { .. } => self.seen.push(SeenMove::Rapid(to)),
+            _ => self.seen.push(SeenMove::Cut(to, feed)),
         }
     }
 
@@ -45,9 +45,9 @@ impl Sink for Record {
     }
 }
 
-impl RunSink for Record {}
+impl RunSink for ContourCycleRecord {}
 
-fn run(cycles: &str, subprograms: &str, tool: f64) -> Record {
+fn run(cycles: &str, subprograms: &str, tool: f64) -> ContourCycleRecord {
     let [x, y, z] = START;
     let text = format!(
         "BEGIN PGM T MM\nTOOL DEF 1 L+0 R+{tool}\nTOOL CALL 1 Z S1000\nL Z+{z} R0 FMAX M3\nL X{x:+} Y{y:+} FMAX\n\
@@ -59,30 +59,30 @@ fn run(cycles: &str, subprograms: &str, tool: f64) -> Record {
     offset.values = [Some(0.0); 6];
     let mut sources = SourceMap::new();
     sources.add(Source::new("T.H", text.into_bytes()));
-    let mut record = Record::default();
+    let mut record = ContourCycleRecord::default();
     Job::new(sources, machine).expect("a job").run(&mut record);
     record
 }
 
-fn errors(record: &Record) -> Vec<String> {
+fn errors(record: &ContourCycleRecord) -> Vec<String> {
     let errors = record.found.iter().filter(|own| own.severity == Severity::Error);
     errors.map(|own| format!("{} {}", own.code.id(), own.message)).collect()
 }
 
 /// Points of all cuts in the plane with their level and feed.
-fn cuts(seen: &[Seen]) -> Vec<([f64; 3], f64)> {
+fn cuts(seen: &[SeenMove]) -> Vec<([f64; 3], f64)> {
     let mut at = START;
     let mut found = Vec::new();
     for step in seen {
         let Some(to) = step.to() else { continue };
         match *step {
-            Seen::Cut(_, feed) if (to[0] - at[0]).hypot(to[1] - at[1]) > 1e-9 => {
+            SeenMove::Cut(_, feed) if (to[0] - at[0]).hypot(to[1] - at[1]) > 1e-9 => {
                 for part in 0..=40 {
                     let t = f64::from(part) / 40.0;
                     found.push(([0, 1, 2].map(|k| at[k] + (to[k] - at[k]) * t), feed));
                 }
             }
-            Seen::Round(_, center, sweep, feed) => {
+            SeenMove::Round(_, center, sweep, feed) => {
                 let radius = (at[0] - center[0]).hypot(at[1] - center[1]);
                 let from = (at[1] - center[1]).atan2(at[0] - center[0]);
                 for part in 0..=60 {
@@ -99,7 +99,7 @@ fn cuts(seen: &[Seen]) -> Vec<([f64; 3], f64)> {
     found
 }
 
-fn levels(seen: &[Seen]) -> Vec<f64> {
+fn levels(seen: &[SeenMove]) -> Vec<f64> {
     let mut found: Vec<f64> = Vec::new();
     for (point, _) in cuts(seen) {
         if !found.iter().any(|level| (level - point[2]).abs() < 1e-7) {
@@ -156,7 +156,7 @@ struct Values {
 }
 
 impl Values {
-    fn random(random: &mut Random) -> Values {
+    fn random(random: &mut DataSequence) -> Values {
         let mut of = |values: &[f64]| values[random.below(values.len())];
         Values {
             depth: of(&[5.0, 12.5, 20.0]),
@@ -189,17 +189,17 @@ impl Values {
     }
 }
 
-fn check_heights(record: &Record, values: &Values, expected: &[f64]) {
+fn check_heights(record: &ContourCycleRecord, values: &Values, expected: &[f64]) {
     let found = levels(&record.seen);
     assert!(same(&found, expected), "{found:?} {expected:?}");
-    let ends: Vec<[f64; 3]> = record.seen.iter().filter_map(Seen::to).collect();
+    let ends: Vec<[f64; 3]> = record.seen.iter().filter_map(SeenMove::to).collect();
     assert_eq!(ends.first().map(|to| to[2]), Some(values.top));
     assert_eq!(ends.last().map(|to| to[2]), Some(values.top));
     // Rapids in the plane are made at the clearance or above it, and none goes into the material.
     let mut at = START;
     for step in &record.seen {
         let Some(to) = step.to() else { continue };
-        if matches!(step, Seen::Rapid(_)) {
+        if matches!(step, SeenMove::Rapid(_)) {
             let least = values.surface + values.clearance - 1e-9;
             assert!(to[2] >= least, "a rapid to {to:?}");
             let is_flat = (to[0] - at[0]).hypot(to[1] - at[1]) < 1e-9;
@@ -213,7 +213,7 @@ fn check_heights(record: &Record, values: &Values, expected: &[f64]) {
 
 #[test]
 fn rough_out_and_floor_stay_inside_and_clear_all() {
-    let mut random = Random(11);
+    let mut random = DataSequence(11);
     for round in 0..60 {
         let values = Values::random(&mut random);
         let number = if round % 3 == 0 { 23 } else { 22 };
@@ -260,7 +260,7 @@ fn rough_out_and_floor_stay_inside_and_clear_all() {
 
 #[test]
 fn side_finishing_touches_every_wall() {
-    let mut random = Random(23);
+    let mut random = DataSequence(23);
     for _ in 0..60 {
         let values = Values::random(&mut random);
         let own = format!(
@@ -294,7 +294,9 @@ fn side_finishing_touches_every_wall() {
             .seen
             .iter()
             .map(|step| match step {
-                Seen::Round(_, c, sweep, _) if (c[0] - 30.0).hypot(c[1] - 30.0) < 1e-6 => *sweep,
+                SeenMove::Round(_, c, sweep, _) if (c[0] - 30.0).hypot(c[1] - 30.0) < 1e-6 => {
+                    *sweep
+                }
                 _ => 0.0,
             })
             .sum();
@@ -328,7 +330,7 @@ fn from_train([x, y]: [f64; 2]) -> f64 {
 
 #[test]
 fn the_contour_train_follows_the_parallel() {
-    let mut random = Random(31);
+    let mut random = DataSequence(31);
     for _ in 0..100 {
         let values = Values::random(&mut random);
         let kind = [1.0, -1.0, 0.0][random.below(3)];
@@ -502,7 +504,7 @@ fn contours_of_din_iso_programs_are_the_same() {
     machine.work_offsets.entry("G54".to_string()).or_default().values = [Some(0.0); 6];
     let mut sources = SourceMap::new();
     sources.add(Source::new("T.I", ISO.as_bytes().to_vec()));
-    let mut iso = Record::default();
+    let mut iso = ContourCycleRecord::default();
     Job::new(sources, machine).expect("a job").run(&mut iso);
     assert!(errors(&iso).is_empty(), "{:?}", errors(&iso));
     let cycles = "CYCL DEF 14.0\nCYCL DEF 14.1 CONTOUR LABEL1 /2\nCYCL DEF 20 Q1=-5 Q2=1 Q3=0 Q4=0 Q5=0 Q6=2 Q7=50 Q8=0 Q9=1\n\

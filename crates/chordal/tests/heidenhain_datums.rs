@@ -13,12 +13,12 @@ const PLATE: &str = "BEGIN PLATE.D MM VERSION:1.0\r\n\
 const INCHES: &str = "BEGIN SMALL .D INCH\nD    X    Y    Z    DOC\n3    +1   +2   -0.5\n[END]\n";
 
 #[derive(Default)]
-struct Ends {
+struct DatumMoveRecord {
     places: Vec<[f64; 3]>,
     found: Vec<Diagnostic>,
 }
 
-impl Sink for Ends {
+impl Sink for DatumMoveRecord {
     fn command(&mut self, command: &Command) {
         if let Some(motion) = command.kind.motion() {
             self.places.push([motion.to[0], motion.to[1], motion.to[2]]);
@@ -30,7 +30,7 @@ impl Sink for Ends {
     }
 }
 
-impl RunSink for Ends {}
+impl RunSink for DatumMoveRecord {}
 
 /// The last position of a program in coordinates of the preset, and what is reported.
 fn run(blocks: &str, tables: &[(&str, &str)]) -> ([f64; 3], Vec<Diagnostic>) {
@@ -45,7 +45,7 @@ fn run(blocks: &str, tables: &[(&str, &str)]) -> ([f64; 3], Vec<Diagnostic>) {
     for (name, table) in tables {
         sources.add(Source::new(name.to_string(), table.as_bytes().to_vec()));
     }
-    let mut ends = Ends::default();
+    let mut ends = DatumMoveRecord::default();
     Job::new(sources, machine).expect("a job").run(&mut ends);
     (*ends.places.last().expect("a move"), ends.found)
 }

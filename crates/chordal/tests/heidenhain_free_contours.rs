@@ -8,12 +8,12 @@ use chordal::{Diagnostic, Job, Machine, PathSink, Severity, Source, SourceMap};
 const TOLERANCE_MM: f64 = 1e-6;
 
 #[derive(Default)]
-struct PathRecord {
+struct FreeContourPathRecord {
     moves: Vec<Command>,
     errors: Vec<Diagnostic>,
 }
 
-impl PathSink for PathRecord {
+impl PathSink for FreeContourPathRecord {
     fn command(&mut self, path: PathCommand<'_>) {
         if path.command.kind.motion().is_some() {
             self.moves.push(path.command.clone());
@@ -27,7 +27,7 @@ impl PathSink for PathRecord {
     }
 }
 
-fn run(blocks: &str, settings: &str) -> PathRecord {
+fn run(blocks: &str, settings: &str) -> FreeContourPathRecord {
     let text = format!("inherits = \"heidenhain-mill\"\n[settings]\n{settings}\n");
     let mut machine =
         Machine::from_toml("a.toml", &text, &|name| Err(format!("no {name}"))).expect("a machine");
@@ -37,7 +37,7 @@ fn run(blocks: &str, settings: &str) -> PathRecord {
     sources
         .add(Source::new("a.h", format!("BEGIN PGM A MM\n{blocks}\nEND PGM A MM\n").into_bytes()));
     let job = Job::new(sources, machine).expect("a job");
-    let mut record = PathRecord::default();
+    let mut record = FreeContourPathRecord::default();
     job.compensated(None, &mut record);
     record
 }

@@ -252,8 +252,8 @@ fn a_corner_after_a_move_to_an_unknown_place_is_no_alarm() {
 /// The axes that a move leaves from an unknown place.
 #[test]
 fn a_tool_of_unknown_length_is_unknown_along_its_own_axis() {
-    struct UnknownAxes(Vec<Vec<usize>>);
-    impl Sink for UnknownAxes {
+    struct UnknownStartRecord(Vec<Vec<usize>>);
+    impl Sink for UnknownStartRecord {
         fn command(&mut self, command: &Command) {
             if let Some(motion) = command.kind.motion() {
                 self.0.push((0..3).filter(|axis| !motion.from_known.has(*axis)).collect());
@@ -262,7 +262,7 @@ fn a_tool_of_unknown_length_is_unknown_along_its_own_axis() {
 
         fn diagnostic(&mut self, _: Diagnostic) {}
     }
-    impl RunSink for UnknownAxes {}
+    impl RunSink for UnknownStartRecord {}
     for (axis, letter) in ["X", "Y", "Z"].iter().enumerate() {
         let text = format!(
             "BEGIN PGM A MM\nTOOL CALL 7 {letter} S1000\nL X+0 Y+0 Z+0 R0 FMAX\nTOOL CALL 8 {letter} S900\n\
@@ -272,7 +272,7 @@ fn a_tool_of_unknown_length_is_unknown_along_its_own_axis() {
         machine.work_offsets.entry("G54".into()).or_default().values = [Some(0.0); 6];
         let mut sources = SourceMap::new();
         sources.add(Source::new("a.h", text.into_bytes()));
-        let mut sink = UnknownAxes(Vec::new());
+        let mut sink = UnknownStartRecord(Vec::new());
         Job::new(sources, machine).expect("settings").run(&mut sink);
         assert_eq!(sink.0.last(), Some(&vec![axis]), "{letter}");
     }

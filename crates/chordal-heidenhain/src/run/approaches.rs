@@ -21,7 +21,7 @@ const MAX_LOOK_AHEAD_BLOCKS: usize = 50;
 
 /// The point and the direction of a contour at which an approach ends or a departure begins.
 #[derive(Clone, Copy)]
-struct ContourEnd {
+struct ContourJoint {
     point: Vec2,
     direction: Vec2,
     side: CompensationSide,
@@ -63,7 +63,7 @@ impl KlartextInterpreter<'_> {
         form: KlartextApproachForm,
         words: &PathWords,
         point: [f64; 3],
-    ) -> Option<(ContourEnd, ApproachRequest)> {
+    ) -> Option<(ContourJoint, ApproachRequest)> {
         let Some((side, range)) = words.side.filter(|(side, _)| *side != CompensationSide::Off)
         else {
             let message = "APPR has neither RL nor RR: on which side the tool comes is not known";
@@ -78,7 +78,7 @@ impl KlartextInterpreter<'_> {
             return None;
         };
         let outside = self.on_plane(&self.programmed());
-        let end = ContourEnd { point: self.on_plane(&point), direction, side, outside };
+        let end = ContourJoint { point: self.on_plane(&point), direction, side, outside };
         Some((end, self.approach_request(form, words, end)?))
     }
 
@@ -133,7 +133,7 @@ impl KlartextInterpreter<'_> {
         let end = self.contour_point(words)?;
         let point = self.on_plane(&self.programmed());
         let outside = self.on_plane(&end);
-        let contour = ContourEnd { point, direction, side, outside };
+        let contour = ContourJoint { point, direction, side, outside };
         Some((end, self.approach_request(form, words, contour)?))
     }
 
@@ -213,7 +213,7 @@ impl KlartextInterpreter<'_> {
         &mut self,
         form: KlartextApproachForm,
         words: &PathWords,
-        end: ContourEnd,
+        end: ContourJoint,
     ) -> Option<ApproachRequest> {
         let values = self.values(words)?;
         let missing = match form {

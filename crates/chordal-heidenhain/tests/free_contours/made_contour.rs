@@ -6,30 +6,13 @@ use chordal_heidenhain::geometry::{
     FreeValue, SolvedFreeElement, solve_free_contour,
 };
 
+use super::support::NumberSequence;
+
 /// How far values may be off each other, mm.
 pub const TOLERANCE_MM: f64 = 0.01;
 
 /// FPOL of all contours.
 pub const POLE: [f64; 2] = [3.0, -7.0];
-
-/// A sequence of numbers from 0 to 1.
-pub struct NumberSequence(u64);
-
-impl NumberSequence {
-    pub fn next(&mut self) -> f64 {
-        self.0 =
-            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    pub fn below(&mut self, count: u32) -> u32 {
-        (self.next() * f64::from(count)) as u32
-    }
-}
 
 /// A contour while it is made.
 pub struct MadeContour {

@@ -5,6 +5,8 @@
 
 mod made_contour;
 mod solution_values;
+#[path = "../support/mod.rs"]
+mod support;
 
 use chordal_geometry::TurnDirection;
 use chordal_heidenhain::geometry::{

@@ -1,6 +1,6 @@
 //! Drilling, boring, tapping: every stroke.
 
-use super::shop::{CALLED_AT, CycleData, RPM, START_MM, Seen, each_cycle, run, same};
+use super::shop::{CALLED_AT, CycleData, RPM, START_MM, SeenMove, each_cycle, run, same};
 
 const CLEARANCE: &[f64] = &[1.0, 2.0, 5.5];
 const DEPTH: &[f64] = &[-4.0, -20.5, -33.0];
@@ -11,7 +11,7 @@ const SURFACE: &[f64] = &[0.0, 10.0, -4.25];
 const SECOND: &[f64] = &[0.0, 3.0, 50.0];
 
 /// A record of strokes in the axis of the tool, as the manuals write them.
-struct Strokes(Vec<Seen>, f64);
+struct Strokes(Vec<SeenMove>, f64);
 
 impl Strokes {
     fn new() -> Strokes {
@@ -24,31 +24,31 @@ impl Strokes {
 
     fn rapid(&mut self, z: f64) {
         if (z - self.1).abs() > 1e-9 {
-            self.0.push(Seen::Rapid(self.at(z)));
+            self.0.push(SeenMove::Rapid(self.at(z)));
             self.1 = z;
         }
     }
 
     fn feed(&mut self, z: f64, feed: f64) {
         if (z - self.1).abs() > 1e-9 {
-            self.0.push(Seen::Cut(self.at(z), feed));
+            self.0.push(SeenMove::Cut(self.at(z), feed));
             self.1 = z;
         }
     }
 
     fn across(&mut self, by: [f64; 2]) {
         let to = [CALLED_AT[0] + by[0], CALLED_AT[1] + by[1], self.1];
-        self.0.push(Seen::Rapid(to));
+        self.0.push(SeenMove::Rapid(to));
     }
 
     fn wait(&mut self, seconds: f64) {
         if seconds > 0.0 {
-            self.0.push(Seen::Wait(seconds));
+            self.0.push(SeenMove::Wait(seconds));
         }
     }
 }
 
-fn check(found: &[Seen], expected: &Strokes, data: &CycleData) {
+fn check(found: &[SeenMove], expected: &Strokes, data: &CycleData) {
     assert!(same(found, &expected.0), "{data:?}\nfound {found:#?}\nexpected {:#?}", expected.0);
 }
 
@@ -121,7 +121,7 @@ fn reaming_and_boring_201_202() {
             own.wait(data.of(211));
             if moves_off {
                 own.across(by);
-                own.0.push(Seen::Cut([CALLED_AT[0] + by[0], CALLED_AT[1] + by[1], top], out));
+                own.0.push(SeenMove::Cut([CALLED_AT[0] + by[0], CALLED_AT[1] + by[1], top], out));
                 own.1 = top;
                 own.across([0.0; 2]);
             } else {
@@ -205,14 +205,14 @@ fn back_boring_204() {
         let mut own = Strokes::new();
         own.rapid(top);
         own.across(by);
-        own.0.push(Seen::Cut(off(below), data.of(253)));
+        own.0.push(SeenMove::Cut(off(below), data.of(253)));
         own.1 = below;
         own.across([0.0; 2]);
         own.feed(edge_below + data.of(249), data.of(254));
         own.wait(data.of(255));
         own.feed(below, data.of(253));
         own.across(by);
-        own.0.push(Seen::Cut(off(top), data.of(253)));
+        own.0.push(SeenMove::Cut(off(top), data.of(253)));
         own.1 = top;
         own.across([0.0; 2]);
         own.rapid(end);

@@ -1,7 +1,7 @@
 //! Pockets, slots, studs and threads: levels, feeds, the end, and how near the tool comes to the finished wall.
 
 use super::shop::{
-    CALLED_AT, CycleData, NEAR_MM, START_MM, Seen, assert_ends, assert_feeds, assert_levels,
+    CALLED_AT, CycleData, NEAR_MM, START_MM, SeenMove, assert_ends, assert_feeds, assert_levels,
     assert_near, cut_points, each_cycle, feeds, infeeds, run,
 };
 
@@ -59,7 +59,7 @@ fn arc_slot(center: [f64; 2], radius: f64, width: f64, from: f64, length: f64) -
 }
 
 /// How near the centre of the tool comes to a wall below the surface, mm; from inside, or from outside.
-fn nearest(seen: &[Seen], shape: &Shape, is_inside: bool, below: f64) -> f64 {
+fn nearest(seen: &[SeenMove], shape: &Shape, is_inside: bool, below: f64) -> f64 {
     let cuts = cut_points(seen);
     let cuts = cuts.iter().filter(|(point, _)| point[2] < below - 1e-9);
     let distance = |point: &[f64; 3]| {
@@ -75,7 +75,7 @@ fn pocket_levels(data: &CycleData) -> Vec<f64> {
 }
 
 /// A pocket of the 250s: its shape from its data.
-fn check_pocket(data: &CycleData, seen: &[Seen], shape: &Shape, tool: f64) {
+fn check_pocket(data: &CycleData, seen: &[SeenMove], shape: &Shape, tool: f64) {
     let (top, _, end) = data.levels();
     assert_ends(seen, top, end, data);
     let kind = data.of(215);
@@ -212,7 +212,14 @@ fn circular_slots_254() {
 }
 
 /// A stud of 256 or 257.
-fn check_stud(data: &CycleData, seen: &[Seen], shape: &Shape, excess: f64, begin: f64, tool: f64) {
+fn check_stud(
+    data: &CycleData,
+    seen: &[SeenMove],
+    shape: &Shape,
+    excess: f64,
+    begin: f64,
+    tool: f64,
+) {
     let (top, _, end) = data.levels();
     assert_ends(seen, top, end, data);
     let kind = if data.has(215) { data.of(215) } else { 1.0 };
@@ -243,7 +250,7 @@ fn check_stud(data: &CycleData, seen: &[Seen], shape: &Shape, excess: f64, begin
     let turns: f64 = seen
         .iter()
         .map(|step| match step {
-            Seen::Round(_, center, sweep, _) if shape(*center) < 1e-6 => *sweep,
+            SeenMove::Round(_, center, sweep, _) if shape(*center) < 1e-6 => *sweep,
             _ => 0.0,
         })
         .sum();
@@ -330,7 +337,7 @@ fn circular_studs_257() {
 }
 
 /// Cycles 212 to 215.
-fn check_finishing(data: &CycleData, seen: &[Seen], shape: &Shape, is_inside: bool, tool: f64) {
+fn check_finishing(data: &CycleData, seen: &[SeenMove], shape: &Shape, is_inside: bool, tool: f64) {
     let (_, bottom, end) = data.levels();
     assert_ends(seen, end, end, data);
     let depth = data.of(203) - bottom;
@@ -339,7 +346,7 @@ fn check_finishing(data: &CycleData, seen: &[Seen], shape: &Shape, is_inside: bo
     let (down, across) = feeds(seen);
     assert_feeds(&down, &[data.of(206)], "plunging", data);
     assert_feeds(&across, &[data.of(207)], "milling", data);
-    let last = seen.iter().rev().find_map(Seen::to).expect("a move");
+    let last = seen.iter().rev().find_map(SeenMove::to).expect("a move");
     assert_near(last[0], data.of(216), "the centre", data);
     assert_near(last[1], data.of(217), "the centre", data);
 }
@@ -390,7 +397,7 @@ fn finishing_212_to_215() {
 }
 
 /// The levels at which the strokes of a reciprocating plunge end.
-fn ramp_ends(seen: &[Seen], below: f64) -> Vec<f64> {
+fn ramp_ends(seen: &[SeenMove], below: f64) -> Vec<f64> {
     let mut found: Vec<f64> = Vec::new();
     let mut at = [CALLED_AT[0], CALLED_AT[1], START_MM];
     for step in seen {
@@ -404,7 +411,7 @@ fn ramp_ends(seen: &[Seen], below: f64) -> Vec<f64> {
     found
 }
 
-fn check_old_slot(data: &CycleData, seen: &[Seen], shape: &Shape) {
+fn check_old_slot(data: &CycleData, seen: &[SeenMove], shape: &Shape) {
     let (_, bottom, end) = data.levels();
     assert_ends(seen, end, end, data);
     let depth = data.of(203) - bottom;
@@ -495,7 +502,7 @@ fn bore_milling_208() {
         assert_near(nearest(seen, &shape, true, top + 1.0), 5.0, "the wall", data);
         let turns: f64 = seen
             .iter()
-            .map(|step| if let Seen::Round(_, _, sweep, _) = step { *sweep } else { 0.0 })
+            .map(|step| if let SeenMove::Round(_, _, sweep, _) = step { *sweep } else { 0.0 })
             .sum();
         let expected = (top - bottom) / data.of(334) + 1.0;
         assert_near(turns / std::f64::consts::TAU, expected, "the turns", data);
@@ -539,7 +546,7 @@ fn old_pockets_and_slots_3_4_5() {
                     let (down, across) = feeds(&slot);
                     assert_feeds(&down, &[feed], "plunging", &data);
                     assert_feeds(&across, &[600.0], "milling", &data);
-                    let last = slot.iter().rev().find_map(Seen::to).expect("a move");
+                    let last = slot.iter().rev().find_map(SeenMove::to).expect("a move");
                     assert_near(last[2], START_MM, "the end", &data);
                     assert_near(last[0], CALLED_AT[0], "the end", &data);
                     let pocket = run(&sides(4, " DR+ R6"), 5.0);

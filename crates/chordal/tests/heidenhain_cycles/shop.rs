@@ -6,7 +6,7 @@ use chordal::control::{Command, CommandKind};
 use chordal::{Diagnostic, Job, Machine, RunSink, Severity, Sink, Source, SourceMap};
 
 /// Runs of each cycle.
-pub const ROUNDS: u64 = 200;
+pub const RUNS_OF_CYCLE: u64 = 200;
 
 /// How far a length may be off, mm.
 pub const NEAR_MM: f64 = 1e-6;
@@ -24,9 +24,9 @@ pub const RPM: f64 = 600.0;
 pub type Choices = &'static [(u32, &'static [f64])];
 
 /// A random sequence.
-pub struct Random(pub u64);
+pub struct DataSequence(pub u64);
 
-impl Random {
+impl DataSequence {
     pub fn below(&mut self, count: usize) -> usize {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
@@ -58,7 +58,7 @@ impl CycleData {
 
 /// What the tool does.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub enum Seen {
+pub enum SeenMove {
     /// To a point by a rapid.
     Rapid([f64; 3]),
     /// To a point at a feed, mm/min.
@@ -69,28 +69,28 @@ pub enum Seen {
     Wait(f64),
 }
 
-impl Seen {
+impl SeenMove {
     pub fn to(&self) -> Option<[f64; 3]> {
         match self {
-            Seen::Rapid(to) | Seen::Cut(to, _) | Seen::Round(to, ..) => Some(*to),
-            Seen::Wait(_) => None,
+            SeenMove::Rapid(to) | SeenMove::Cut(to, _) | SeenMove::Round(to, ..) => Some(*to),
+            SeenMove::Wait(_) => None,
         }
     }
 }
 
 #[derive(Default)]
-struct Record {
-    seen: Vec<Seen>,
+struct CycleRecord {
+    seen: Vec<SeenMove>,
     errors: Vec<String>,
 }
 
-impl Sink for Record {
+impl Sink for CycleRecord {
     fn command(&mut self, command: &Command) {
         if !command.origin.cycle {
             return;
         }
         if let CommandKind::Dwell { seconds, .. } = command.kind {
-            self.seen.push(Seen::Wait(seconds));
+            self.seen.push(SeenMove::Wait(seconds));
         }
         let Some(motion) = command.kind.motion() else { return };
         let to = [motion.to[0], motion.to[1], motion.to[2]];
@@ -98,11 +98,11 @@ impl Sink for Record {
         let is_still = (0..3).all(|axis| (motion.to[axis] - motion.from[axis]).abs() < 1e-9);
         match &command.kind {
             CommandKind::Arc { shape, .. } => {
-                self.seen.push(Seen::Round(to, shape.center, shape.sweep, feed));
+                self.seen.push(SeenMove::Round(to, shape.center, shape.sweep, feed));
             }
             _ if is_still => {}
-            CommandKind::Rapid { .. } => self.seen.push(Seen::Rapid(to)),
-            _ => self.seen.push(Seen::Cut(to, feed)),
+            CommandKind::Rapid { .. } => self.seen.push(SeenMove::Rapid(to)),
+            _ => self.seen.push(SeenMove::Cut(to, feed)),
         }
     }
 
@@ -113,10 +113,10 @@ impl Sink for Record {
     }
 }
 
-impl RunSink for Record {}
+impl RunSink for CycleRecord {}
 
 /// What the tool does in the cycle of a definition, with a tool of a radius.
-pub fn run(definition: &str, tool: f64) -> Vec<Seen> {
+pub fn run(definition: &str, tool: f64) -> Vec<SeenMove> {
     let [x, y] = CALLED_AT;
     let text = format!(
         "BEGIN PGM T MM\nTOOL DEF 1 L+0 R+{tool}\nTOOL CALL 1 Z S{RPM}\nL Z+{START_MM} R0 FMAX M3\n\
@@ -128,7 +128,7 @@ pub fn run(definition: &str, tool: f64) -> Vec<Seen> {
     offset.values = [Some(0.0); 6];
     let mut sources = SourceMap::new();
     sources.add(Source::new("T.H", text.clone().into_bytes()));
-    let mut record = Record::default();
+    let mut record = CycleRecord::default();
     Job::new(sources, machine).expect("a job").run(&mut record);
     assert!(record.errors.is_empty(), "{text}{:?}", record.errors);
     record.seen
@@ -139,10 +139,10 @@ pub fn each_cycle(
     number: u32,
     choices: Choices,
     tool: f64,
-    mut compare: impl FnMut(&CycleData, &[Seen]),
+    mut compare: impl FnMut(&CycleData, &[SeenMove]),
 ) {
-    let mut random = Random(0x9E37_79B9_7F4A_7C15 ^ u64::from(number));
-    for _ in 0..ROUNDS {
+    let mut random = DataSequence(0x9E37_79B9_7F4A_7C15 ^ u64::from(number));
+    for _ in 0..RUNS_OF_CYCLE {
         let mut data = BTreeMap::new();
         let mut text = format!("CYCL DEF {number} A CYCLE");
         for (word, values) in choices {
@@ -156,35 +156,35 @@ pub fn each_cycle(
 }
 
 /// Whether two records of motions are the same.
-pub fn same(found: &[Seen], expected: &[Seen]) -> bool {
+pub fn same(found: &[SeenMove], expected: &[SeenMove]) -> bool {
     let near = |a: f64, b: f64| (a - b).abs() < NEAR_MM;
     let near_points = |a: [f64; 3], b: [f64; 3]| (0..3).all(|axis| near(a[axis], b[axis]));
-    let is_same = |(found, expected): (&Seen, &Seen)| match (*found, *expected) {
-        (Seen::Rapid(a), Seen::Rapid(b)) => near_points(a, b),
-        (Seen::Cut(a, f), Seen::Cut(b, g)) => near_points(a, b) && near(f, g),
-        (Seen::Round(a, c, s, f), Seen::Round(b, d, t, g)) => {
+    let is_same = |(found, expected): (&SeenMove, &SeenMove)| match (*found, *expected) {
+        (SeenMove::Rapid(a), SeenMove::Rapid(b)) => near_points(a, b),
+        (SeenMove::Cut(a, f), SeenMove::Cut(b, g)) => near_points(a, b) && near(f, g),
+        (SeenMove::Round(a, c, s, f), SeenMove::Round(b, d, t, g)) => {
             near_points(a, b) && near(c[0], d[0]) && near(c[1], d[1]) && near(s, t) && near(f, g)
         }
-        (Seen::Wait(a), Seen::Wait(b)) => near(a, b),
+        (SeenMove::Wait(a), SeenMove::Wait(b)) => near(a, b),
         _ => false,
     };
     found.len() == expected.len() && found.iter().zip(expected).all(is_same)
 }
 
 /// Points along what the tool does at a feed, with the level and the feed; arcs in steps of two degrees.
-pub fn cut_points(seen: &[Seen]) -> Vec<([f64; 3], f64)> {
+pub fn cut_points(seen: &[SeenMove]) -> Vec<([f64; 3], f64)> {
     let mut at = [CALLED_AT[0], CALLED_AT[1], START_MM];
     let mut found = Vec::new();
     for step in seen {
         match *step {
-            Seen::Rapid(_) | Seen::Wait(_) => {}
-            Seen::Cut(to, feed) => {
+            SeenMove::Rapid(_) | SeenMove::Wait(_) => {}
+            SeenMove::Cut(to, feed) => {
                 for part in 0..=16 {
                     let t = f64::from(part) / 16.0;
                     found.push(([0, 1, 2].map(|axis| at[axis] + (to[axis] - at[axis]) * t), feed));
                 }
             }
-            Seen::Round(to, center, sweep, feed) => {
+            SeenMove::Round(to, center, sweep, feed) => {
                 let count = ((sweep.abs().to_degrees() / 2.0).ceil() as u32).max(1);
                 let radius = (at[0] - center[0]).hypot(at[1] - center[1]);
                 let from = (at[1] - center[1]).atan2(at[0] - center[0]);
@@ -203,13 +203,13 @@ pub fn cut_points(seen: &[Seen]) -> Vec<([f64; 3], f64)> {
 }
 
 /// The levels on which the tool moves in the plane at a feed, from the top.
-pub fn cut_levels(seen: &[Seen]) -> Vec<f64> {
+pub fn cut_levels(seen: &[SeenMove]) -> Vec<f64> {
     let mut at = [CALLED_AT[0], CALLED_AT[1], START_MM];
     let mut levels: Vec<f64> = Vec::new();
     for step in seen {
         let Some(to) = step.to() else { continue };
         let is_level = (to[2] - at[2]).abs() < 1e-9;
-        let is_cut = matches!(step, Seen::Cut(..) | Seen::Round(..));
+        let is_cut = matches!(step, SeenMove::Cut(..) | SeenMove::Round(..));
         if is_cut && is_level && !levels.iter().any(|level| (level - to[2]).abs() < 1e-7) {
             levels.push(to[2]);
         }
@@ -234,7 +234,7 @@ pub fn assert_near(found: f64, expected: f64, what: &str, data: &CycleData) {
     assert!((found - expected).abs() < NEAR_MM, "{what}: {found} is not {expected}\n{data:?}");
 }
 
-pub fn assert_levels(seen: &[Seen], expected: &[f64], data: &CycleData) {
+pub fn assert_levels(seen: &[SeenMove], expected: &[f64], data: &CycleData) {
     let found = cut_levels(seen);
     let is_same = found.len() == expected.len()
         && found.iter().zip(expected).all(|(a, b)| (a - b).abs() < NEAR_MM);
@@ -242,25 +242,25 @@ pub fn assert_levels(seen: &[Seen], expected: &[f64], data: &CycleData) {
 }
 
 /// The level at the end, and the first one after a rapid.
-pub fn assert_ends(seen: &[Seen], first: f64, last: f64, data: &CycleData) {
-    let begin = seen.iter().find_map(Seen::to).expect("a move");
+pub fn assert_ends(seen: &[SeenMove], first: f64, last: f64, data: &CycleData) {
+    let begin = seen.iter().find_map(SeenMove::to).expect("a move");
     assert_near(begin[2], first, "the first level", data);
-    let end = seen.iter().rev().find_map(Seen::to).expect("a move");
+    let end = seen.iter().rev().find_map(SeenMove::to).expect("a move");
     assert_near(end[2], last, "the end level", data);
-    assert!(matches!(seen[0], Seen::Rapid(_)), "{data:?}");
+    assert!(matches!(seen[0], SeenMove::Rapid(_)), "{data:?}");
 }
 
 /// The feeds of the moves straight down, and of all others.
-pub fn feeds(seen: &[Seen]) -> (Vec<f64>, Vec<f64>) {
+pub fn feeds(seen: &[SeenMove]) -> (Vec<f64>, Vec<f64>) {
     let mut at = [CALLED_AT[0], CALLED_AT[1], START_MM];
     let (mut down, mut across) = (Vec::new(), Vec::new());
     for step in seen {
         let Some(to) = step.to() else { continue };
         let is_vertical = (to[0] - at[0]).hypot(to[1] - at[1]) < 1e-9;
         match *step {
-            Seen::Cut(_, feed) if is_vertical => down.push(feed),
-            Seen::Cut(_, feed) | Seen::Round(_, _, _, feed) => across.push(feed),
-            Seen::Rapid(_) | Seen::Wait(_) => {}
+            SeenMove::Cut(_, feed) if is_vertical => down.push(feed),
+            SeenMove::Cut(_, feed) | SeenMove::Round(_, _, _, feed) => across.push(feed),
+            SeenMove::Rapid(_) | SeenMove::Wait(_) => {}
         }
         at = to;
     }

@@ -1,7 +1,7 @@
 //! Faces and ruled surfaces: limits, levels, feeds.
 
 use super::shop::{
-    CALLED_AT, CycleData, NEAR_MM, START_MM, Seen, assert_feeds, assert_levels, assert_near,
+    CALLED_AT, CycleData, NEAR_MM, START_MM, SeenMove, assert_feeds, assert_levels, assert_near,
     cut_points, each_cycle, feeds,
 };
 
@@ -9,7 +9,7 @@ const TOOL_MM: f64 = 8.0;
 const FROM: &[f64] = &[0.0, 12.0, -20.5];
 const LEVEL: &[f64] = &[0.0, 2.5, 6.0];
 
-fn limits(seen: &[Seen], below: f64) -> [[f64; 2]; 2] {
+fn limits(seen: &[SeenMove], below: f64) -> [[f64; 2]; 2] {
     let points = cut_points(seen);
     let mut found = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
     for (point, _) in points.iter().filter(|(point, _)| point[2] < below) {
@@ -20,8 +20,8 @@ fn limits(seen: &[Seen], below: f64) -> [[f64; 2]; 2] {
     found
 }
 
-fn end_level(seen: &[Seen]) -> f64 {
-    seen.iter().rev().find_map(Seen::to).expect("a move")[2]
+fn end_level(seen: &[SeenMove]) -> f64 {
+    seen.iter().rev().find_map(SeenMove::to).expect("a move")[2]
 }
 
 #[test]
@@ -79,7 +79,7 @@ fn ruled_surfaces_231() {
         let [one, two, three, four] = [225, 228, 231, 234].map(corner);
         let has = |place: [f64; 3]| {
             seen.iter()
-                .filter_map(Seen::to)
+                .filter_map(SeenMove::to)
                 .any(|to| (0..3).all(|axis| (to[axis] - place[axis]).abs() < NEAR_MM))
         };
         assert!([one, two, three, four].into_iter().all(has), "{data:?}");
@@ -98,7 +98,7 @@ fn ruled_surfaces_231() {
         let mut at = [CALLED_AT[0], CALLED_AT[1], START_MM];
         for step in seen {
             let Some(to) = step.to() else { continue };
-            let is_cut = matches!(step, Seen::Cut(..));
+            let is_cut = matches!(step, SeenMove::Cut(..));
             assert!(!is_cut || on_surface(&to), "{to:?} {at:?} {data:?}");
             at = to;
         }

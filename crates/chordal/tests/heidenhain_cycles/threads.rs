@@ -1,7 +1,7 @@
 //! Threads: turns, hand, depth, feed, and the countersink at the front of the tool.
 
 use super::shop::{
-    CALLED_AT, NEAR_MM, START_MM, Seen, assert_ends, assert_near, cut_points, each_cycle,
+    CALLED_AT, NEAR_MM, START_MM, SeenMove, assert_ends, assert_near, cut_points, each_cycle,
 };
 
 const CLEARANCE: &[f64] = &[1.0, 2.0, 5.5];
@@ -12,12 +12,12 @@ const SURFACE: &[f64] = &[0.0, 10.0, -4.25];
 const SECOND: &[f64] = &[0.0, 3.0, 50.0];
 
 /// The helices of a thread: turns, the levels of both ends, and the feed.
-fn helices(seen: &[Seen]) -> Vec<(f64, f64, f64, f64)> {
+fn helices(seen: &[SeenMove]) -> Vec<(f64, f64, f64, f64)> {
     let mut found = Vec::new();
     let mut at = START_MM;
     for step in seen {
         let Some(to) = step.to() else { continue };
-        if let Seen::Round(_, _, sweep, feed) = step
+        if let SeenMove::Round(_, _, sweep, feed) = step
             && (to[2] - at).abs() > 1e-9
         {
             found.push((sweep / std::f64::consts::TAU, at, to[2], *feed));
@@ -94,7 +94,7 @@ fn threads_262_to_267() {
             let has_front = data.of(358) != 0.0 && number != 262;
             if has_front {
                 let full = seen.iter().any(|step| {
-                    matches!(step, Seen::Round(to, center, sweep, feed)
+                    matches!(step, SeenMove::Round(to, center, sweep, feed)
                         if (to[2] - front).abs() < NEAR_MM
                             && (sweep.abs() - std::f64::consts::TAU).abs() < NEAR_MM
                             && (center[0] - CALLED_AT[0]).abs() < NEAR_MM
