@@ -19,6 +19,7 @@
 
 mod checkpoint;
 mod coordinates;
+mod corner_fit;
 mod corner_queue;
 mod cycles;
 mod fixture_offset;

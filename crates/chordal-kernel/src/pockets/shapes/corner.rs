@@ -1,50 +1,9 @@
-//! Roundings and chamfers between two elements of an outline.
+//! Roundings and chamfers between two elements of an outline, fitted as those between two moves.
 
-use core::f64::consts::TAU;
+use chordal_geometry::Vec2;
 
-use chordal_geometry::{Circle2, Line2, Vec2, circle_circle, line_circle, line_line};
-
-use super::outline::{COINCIDENT_POINT_MM, OutlineElement};
-
-/// Two elements whose directions differ by less than this, as the sine of the angle, have no corner.
-const TANGENT: f64 = 1e-9;
-
-/// The line or circle of an element, without ends.
-enum Endless {
-    Line(Line2),
-    Circle(Circle2),
-}
-
-fn endless(element: &OutlineElement) -> Endless {
-    match *element {
-        OutlineElement::Line { from, to } => {
-            Endless::Line(Line2 { point: from, direction: to - from })
-        }
-        OutlineElement::Arc { center, .. } => {
-            Endless::Circle(Circle2 { center, radius: element.radius() })
-        }
-    }
-}
-
-fn meetings(first: &Endless, second: &Endless) -> Vec<Vec2> {
-    match (first, second) {
-        (Endless::Line(a), Endless::Line(b)) => {
-            line_line(*a, *b, 1e-12).map(|found| found.point).into_iter().collect()
-        }
-        (Endless::Line(line), Endless::Circle(circle))
-        | (Endless::Circle(circle), Endless::Line(line)) => {
-            line_circle(*line, *circle, COINCIDENT_POINT_MM).points().collect()
-        }
-        (Endless::Circle(a), Endless::Circle(b)) => {
-            circle_circle(*a, *b, COINCIDENT_POINT_MM).points().collect()
-        }
-    }
-}
-
-/// The fraction of an element where a circle about a point touches it.
-fn foot(element: &OutlineElement, center: Vec2) -> Option<f64> {
-    element.fraction(center, COINCIDENT_POINT_MM)
-}
+use super::outline::OutlineElement;
+use crate::corner_fit::{CornerFit, CornerLeg, chamfer, rounding};
 
 /// Two elements that meet, with a rounding of a radius (mm) between them; `None` where it does not fit or where there is
 /// no corner.
@@ -53,42 +12,51 @@ pub fn rounded(
     second: &OutlineElement,
     radius: f64,
 ) -> Option<[OutlineElement; 3]> {
-    let corner = first.to();
-    let turn = first.direction(1.0)?.cross(second.direction(0.0)?);
-    if turn.abs() < TANGENT {
-        return None;
-    }
-    let side = turn.signum() * radius;
-    let [a, b] = [first.moved_left(side)?, second.moved_left(side)?];
-    let centers = meetings(&endless(&a), &endless(&b)).into_iter();
-    let fits = centers.filter_map(|center| {
-        let (t, s) = (foot(first, center)?, foot(second, center)?);
-        let [p, q] = [first.point(t), second.point(s)];
-        let touches = |point: Vec2| (point.distance(center) - radius).abs() < 1e-6;
-        (touches(p) && touches(q)).then_some((center, t, s))
-    });
-    let nearest = |found: &(Vec2, f64, f64)| found.0.distance(corner);
-    let (center, t, s) = fits.min_by(|a, b| nearest(a).total_cmp(&nearest(b)))?;
-    let (from, to) = (first.point(t), second.point(s));
-    let (u, v) = (from - center, to - center);
-    let angle = libm::atan2(u.cross(v), u.dot(v));
-    let sweep = if angle * side < 0.0 { angle + TAU * side.signum() } else { angle };
-    let arc = OutlineElement::Arc { from, to, center, sweep };
-    Some([first.part(0.0, t), arc, second.part(s, 1.0)])
+    let fit = rounding(&leg(first), &leg(second), radius, 0.0).ok()??;
+    Some(with_corner(first, second, &fit))
 }
 
-/// Two lines that meet, with a chamfer that takes a length (mm) of each; `None` where it does not fit.
+/// Two lines that meet, with a chamfer that takes a length (mm) of each; `None` where it does not fit or where there is
+/// no corner.
 pub fn chamfered(
     first: &OutlineElement,
     second: &OutlineElement,
-    leg: f64,
+    length: f64,
 ) -> Option<[OutlineElement; 3]> {
     let are_lines = [first, second].iter().all(|own| matches!(own, OutlineElement::Line { .. }));
-    let fits = leg < first.length() && leg < second.length();
-    if !are_lines || !fits {
+    let is_left = length < first.length() && length < second.length();
+    if !are_lines || !is_left {
         return None;
     }
-    let (t, s) = (1.0 - leg / first.length(), leg / second.length());
-    let across = OutlineElement::Line { from: first.point(t), to: second.point(s) };
-    Some([first.part(0.0, t), across, second.part(s, 1.0)])
+    let fit = chamfer(&leg(first), &leg(second), length, 0.0).ok()??;
+    Some(with_corner(first, second, &fit))
+}
+
+fn leg(element: &OutlineElement) -> CornerLeg {
+    let arc = match *element {
+        OutlineElement::Line { .. } => None,
+        OutlineElement::Arc { center, sweep, .. } => Some((center.to_array(), sweep)),
+    };
+    CornerLeg { from: element.from().to_array(), to: element.to().to_array(), arc }
+}
+
+/// Both elements without what the corner takes of them, and the corner between them.
+fn with_corner(
+    first: &OutlineElement,
+    second: &OutlineElement,
+    fit: &CornerFit,
+) -> [OutlineElement; 3] {
+    let share = |element: &OutlineElement, lost: f64| match *element {
+        OutlineElement::Line { .. } => lost / element.length(),
+        OutlineElement::Arc { sweep, .. } => lost / sweep.abs(),
+    };
+    let [from, to] = [fit.start, fit.end].map(Vec2::from_array);
+    let corner = match fit.arc {
+        Some((center, sweep)) => {
+            OutlineElement::Arc { from, to, center: Vec2::from_array(center), sweep }
+        }
+        None => OutlineElement::Line { from, to },
+    };
+    let [t, s] = [1.0 - share(first, fit.lost[0]), share(second, fit.lost[1])];
+    [first.part(0.0, t), corner, second.part(s, 1.0)]
 }

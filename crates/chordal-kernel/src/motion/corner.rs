@@ -1,8 +1,6 @@
 //! Roundings and chamfers at the end of a block: its move waits until the next one is known, then both are
 //! shortened and the rounding or chamfer is inserted between them. In program coordinates.
 
-mod fit;
-
 use chordal_command::{
     ArcShape, AxisMask, CallPath, Command, CommandKind, Feed, FeedAlong, FeedMode, Move, Units,
     telling_number,
@@ -10,7 +8,7 @@ use chordal_command::{
 use chordal_diagnostics::{Code, Diagnostic};
 use chordal_geometry::tolerance::COINCIDENT_MM;
 
-use self::fit::{CornerLeg, CornerMisfit};
+use crate::corner_fit::{self, CornerFit, CornerLeg, CornerMisfit};
 use crate::corner_queue::{CornerForm, ProgrammedCorner, QueuedItem, QueuedMove};
 use crate::frames::InPlane;
 use crate::kernel::Kernel;
@@ -293,7 +291,9 @@ impl Kernel<'_> {
         let legs = [&one, &two];
         let form = queued.corner.form;
         let size_mm = match form {
-            CornerForm::ChamferOfLength => fit::leg_of_chamfer(&one, &two, queued.corner.size_mm),
+            CornerForm::ChamferOfLength => {
+                corner_fit::leg_of_chamfer(&one, &two, queued.corner.size_mm)
+            }
             _ => queued.corner.size_mm,
         };
         let mut fit = fit_of(form, legs, size_mm, straight);
@@ -566,15 +566,15 @@ fn fit_of(
     [one, two]: [&CornerLeg; 2],
     size_mm: f64,
     straight_rad: f64,
-) -> Result<Option<fit::CornerFit>, CornerMisfit> {
+) -> Result<Option<CornerFit>, CornerMisfit> {
     match form {
-        CornerForm::Rounding => fit::rounding(one, two, size_mm, straight_rad),
+        CornerForm::Rounding => corner_fit::rounding(one, two, size_mm, straight_rad),
         CornerForm::Chamfer | CornerForm::ChamferOfLength => {
-            fit::chamfer(one, two, size_mm, straight_rad)
+            corner_fit::chamfer(one, two, size_mm, straight_rad)
         }
         CornerForm::ChordOfRounding => {
-            let fit = fit::rounding(one, two, size_mm, straight_rad);
-            fit.map(|fit| fit.map(|fit| fit::CornerFit { arc: None, ..fit }))
+            let fit = corner_fit::rounding(one, two, size_mm, straight_rad);
+            fit.map(|fit| fit.map(|fit| CornerFit { arc: None, ..fit }))
         }
     }
 }

@@ -13,7 +13,7 @@ const ROUNDING_RAD: f64 = 1e-9;
 
 /// A move in its plane, mm; an arc has its centre and directed angle (rad).
 #[derive(Clone, Copy, Debug)]
-pub(super) struct CornerLeg {
+pub struct CornerLeg {
     pub from: CornerPoint,
     pub to: CornerPoint,
     pub arc: Option<(CornerPoint, f64)>,
@@ -21,7 +21,7 @@ pub(super) struct CornerLeg {
 
 /// The piece that replaces the corner, and how much of the moves it removes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct CornerFit {
+pub struct CornerFit {
     pub start: CornerPoint,
     pub end: CornerPoint,
     /// Centre and directed angle (rad) of a rounding; `None` for a line.
@@ -32,7 +32,7 @@ pub(super) struct CornerFit {
 
 /// Why no rounding or chamfer fits.
 #[derive(Clone, Copy, PartialEq, Debug)]
-pub(super) enum CornerMisfit {
+pub enum CornerMisfit {
     /// The second move goes back over the first.
     Reversal,
     /// It is too large; the largest that fits, mm.
@@ -73,7 +73,7 @@ fn turn(from: CornerPoint, to: CornerPoint, sense: f64) -> f64 {
 
 /// How far the ends of a chamfer of a length are from the corner, mm: half the length over the cosine of half the
 /// change of direction.
-pub(super) fn leg_of_chamfer(one: &CornerLeg, two: &CornerLeg, length: f64) -> f64 {
+pub fn leg_of_chamfer(one: &CornerLeg, two: &CornerLeg, length: f64) -> f64 {
     let [from, to] = [one.direction_at(one.to), two.direction_at(two.from)];
     let change = libm::atan2(cross(from, to), dot(from, to));
     length / (2.0 * libm::cos(change / 2.0))
@@ -228,7 +228,7 @@ fn corner_angle(
 }
 
 /// The arc of a radius that touches both moves; `None` when there is no corner.
-pub(super) fn rounding(
+pub fn rounding(
     first: &CornerLeg,
     second: &CornerLeg,
     radius: f64,
@@ -287,7 +287,7 @@ fn tangent_arc(
 }
 
 /// The line that cuts off the same length of both moves; `None` when there is no corner.
-pub(super) fn chamfer(
+pub fn chamfer(
     first: &CornerLeg,
     second: &CornerLeg,
     length: f64,
